@@ -1,0 +1,43 @@
+// The two kinds of failure the library reports: the data is at fault, or the call was cancelled.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace oblast {
+
+enum class ErrorCode {
+  not_finite,      ///< a coordinate is NaN or infinite
+  out_of_domain,   ///< a coordinate's magnitude is outside the domain (see domain.h)
+  too_large,       ///< more than 2^31 - 1 vertices in one call
+  bad_offsets,     ///< contour_ends or polygon_ends decrease or run past the end
+  bad_option,      ///< an option contradicts another or is out of range
+  precondition,    ///< the input is outside the stated domain of a classic method
+  cancelled,       ///< the caller's callback asked to stop
+};
+
+/// Where in the input an error is: indices into the arrays of the operand. `npos` where it does not apply.
+struct Place {
+  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+  std::size_t operand = npos;  ///< 0 for A, 1 for B
+  std::size_t polygon = npos;
+  std::size_t contour = npos;  ///< index of the contour within the operand
+  std::size_t vertex = npos;   ///< index of the vertex within the contour
+};
+
+/// Thrown by the public functions. Degenerate geometry never is an error (promise G5).
+class Error : public std::runtime_error {
+ public:
+  Error(ErrorCode code, const std::string& what, Place place = {})
+      : std::runtime_error(what), code_(code), place_(place) {}
+
+  ErrorCode code() const { return code_; }
+  const Place& place() const { return place_; }
+
+ private:
+  ErrorCode code_;
+  Place place_;
+};
+
+}  // namespace oblast

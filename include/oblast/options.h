@@ -1,0 +1,90 @@
+// What an overlay may be told, and what it reports.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace oblast {
+
+enum class Operation { intersection, unite, difference, symmetric_difference };
+
+/// Turns winding numbers into inside or outside.
+struct FillRule {
+  enum class Kind {
+    polygons,  ///< each polygon is the even-odd of its own rings, the operand the union of its polygons
+    at_least,  ///< as `polygons`, but: covered by at least `depth` polygons
+    even_odd,  ///< winding number of all contours together is odd
+    nonzero,   ///< ... is not zero
+    positive,  ///< ... is greater than zero
+    negative,  ///< ... is less than zero
+  };
+  Kind kind = Kind::polygons;
+  std::int32_t depth = 1;  ///< for `at_least` only: 1 or more
+
+  /// `polygons` and `at_least` read polygons one by one; the others all contours together, as directed.
+  constexpr bool by_polygon() const { return kind == Kind::polygons || kind == Kind::at_least; }
+
+  static constexpr FillRule polygons() { return {}; }
+  static constexpr FillRule at_least(std::int32_t depth) { return {Kind::at_least, depth}; }
+  static constexpr FillRule even_odd() { return {Kind::even_odd, 1}; }
+  static constexpr FillRule nonzero() { return {Kind::nonzero, 1}; }
+  static constexpr FillRule positive() { return {Kind::positive, 1}; }
+  static constexpr FillRule negative() { return {Kind::negative, 1}; }
+
+  friend bool operator==(const FillRule&, const FillRule&) = default;
+};
+
+/// The algorithm that labels the noded edges. All give the same bytes.
+enum class Engine {
+  leonov_nikitin,  ///< labels carried around vertices and along chains (preprint 46, 1997); the default
+  vatti,           ///< the scan line of the 2013 paper
+  skvortsov,       ///< constrained Delaunay triangulation, eaten inwards (2002)
+};
+
+/// How a contour that touches itself at a point is written.
+enum class ContourConvention {
+  ogc,             ///< every ring simple: a pinched hole is a shell and a hole; valid in every GIS
+  leonov_nikitin,  ///< the walk hugs one sector of the interior: the pinched hole is one contour
+};
+
+/// Which collinear vertices a result keeps.
+enum class CollinearVertices {
+  keep,  ///< input vertices on the result's boundary stay (promise G3a)
+  drop,  ///< the minimal result: vertices exactly on the line between their neighbours are left out
+};
+
+/// The numbered stages of the pipeline (ARCHITECTURE.md), for progress and for times.
+enum class Stage { collect, node, label, select, link, assemble };
+inline constexpr int stage_count = 6;
+
+/// What a call did. Filled when Options::statistics points to one.
+struct Statistics {
+  std::uint64_t input_contours = 0;
+  std::uint64_t input_vertices = 0;
+  std::uint64_t output_polygons = 0;
+  std::uint64_t output_contours = 0;
+  std::uint64_t output_vertices = 0;
+  std::uint64_t resolved_polygons = 0;   ///< polygons whose own rings meet, resolved by themselves first
+  std::uint64_t intersections = 0;       ///< points at which noding cut an edge, each counted once
+  std::uint64_t rounds = 0;              ///< rounding rounds, the last one (which finds nothing) included
+  double largest_displacement = 0;       ///< largest distance of a cut point from its input edge, coordinate units
+  double largest_displacement_ulps = 0;  ///< the same in units in the last place of the largest coordinate
+  double seconds[stage_count] = {};      ///< wall time by stage
+};
+
+/// Asked between pieces of work with the stage and the fraction of it done (0 to 1). May be called
+/// from several threads, one at a time. Returning false cancels the call: it throws Error(cancelled).
+using Progress = std::function<bool(Stage stage, double fraction)>;
+
+struct Options {
+  FillRule fill_a;  ///< rule of the first (or only) operand
+  FillRule fill_b;  ///< rule of the second operand
+  Engine engine = Engine::leonov_nikitin;
+  ContourConvention contours = ContourConvention::ogc;
+  CollinearVertices collinear = CollinearVertices::keep;
+  int threads = 0;  ///< 0: all cores. The result does not depend on it.
+  Progress progress;
+  Statistics* statistics = nullptr;
+};
+
+}  // namespace oblast

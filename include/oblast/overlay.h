@@ -1,0 +1,22 @@
+// The two functions of the library.
+#pragma once
+
+#include <oblast/error.h>
+#include <oblast/options.h>
+#include <oblast/region_set.h>
+
+namespace oblast {
+
+/// The overlay of two operands: A op B, where inside and outside of each follow its fill rule.
+///
+/// Any finite input inside the domain is admitted (see RegionView and domain.h). The result is
+/// closed, canonical and bit-preserving: promises G1 to G4, docs/guarantees.md.
+/// Cost: O((n + k) log n) time and O(n + k) memory, n edges and k meetings of edges.
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled.
+RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options = {});
+
+/// The union of any number of polygons in one pass; `options.fill_a` is its rule.
+/// `unite(unite(x)) == unite(x)`, bit for bit. Cost and errors as for `overlay`.
+RegionSet unite(const RegionView& regions, const Options& options = {});
+
+}  // namespace oblast
