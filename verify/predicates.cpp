@@ -1,0 +1,88 @@
+// Exact predicates: doubles with an error bound first, exact rationals where they cannot decide.
+#include "verify/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/rational.h"
+
+namespace oblast::verify {
+namespace {
+
+int sign(double x) { return (x > 0) - (x < 0); }
+
+// Whether the rounded difference d = p - q is exact: both operands come back from it.
+bool exact_difference(double p, double q, double d) {
+  const double q_back = p - d;
+  const double p_back = q_back + d;
+  return p_back == p && q_back == q;
+}
+
+int side_by_rationals(const Point& a, const Point& b, const Point& c) {
+  const RationalPoint p(a), q(b), r(c);
+  const Rational determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return determinant.sign();
+}
+
+}  // namespace
+
+// The determinant is left - right, left = (bx - ax)(cy - ay), right = (by - ay)(cx - ax).
+//
+// Inside the domain a difference of two coordinates is 0 or at least 2^-352 and at most 2^301, so the
+// products neither underflow nor overflow. Each difference and product carries a relative error of at
+// most e = 2^-53, so each product is within a factor (1 + e)^3 of the truth and the final subtraction
+// adds one more: the total error is below (4e + O(e^2)) (|left| + |right|) < 8e (|left| + |right|).
+int side_of_line(const Point& a, const Point& b, const Point& c) {
+  if (a == c || b == c || a == b) return 0;
+  const double abx = b.x - a.x, aby = b.y - a.y;
+  const double acx = c.x - a.x, acy = c.y - a.y;
+  const double left = abx * acy;
+  const double right = aby * acx;
+  const double determinant = left - right;
+  if (std::abs(determinant) > 0x1p-50 * (std::abs(left) + std::abs(right))) return sign(determinant);
+
+  // Small integers and collinear points on one axis end here: all six operations were exact.
+  if (exact_difference(b.x, a.x, abx) && exact_difference(b.y, a.y, aby) && exact_difference(c.x, a.x, acx) &&
+      exact_difference(c.y, a.y, acy) && std::fma(abx, acy, -left) == 0 && std::fma(aby, acx, -right) == 0) {
+    return (left > right) - (left < right);
+  }
+  return side_by_rationals(a, b, c);
+}
+
+bool meet_badly(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) {
+    return false;
+  }
+  if ((a == c && b == d) || (a == d && b == c)) return true;
+  if (a == c) return same_direction(a, b, d);
+  if (a == d) return same_direction(a, b, c);
+  if (b == c) return same_direction(b, a, d);
+  if (b == d) return same_direction(b, a, c);
+
+  // Four different end points. The boxes meet, so collinear segments overlap (a box of a segment is
+  // that segment's shadow on both axes), and others meet when each has no two ends on one side of the other.
+  const int c_side = side_of_line(a, b, c), d_side = side_of_line(a, b, d);
+  if (c_side * d_side > 0) return false;
+  const int a_side = side_of_line(c, d, a), b_side = side_of_line(c, d, b);
+  return a_side * b_side <= 0;
+}
+
+bool same_direction(const Point& u, const Point& a, const Point& b) {
+  if (side_of_line(u, a, b) != 0) return false;
+  // On one line through u: the same direction unless u lies between them.
+  return sign(a.x - u.x) == sign(b.x - u.x) && sign(a.y - u.y) == sign(b.y - u.y);
+}
+
+bool angle_less(const Point& u, const Point& a, const Point& b) {
+  // Lower half: (-pi, 0), upper half: [0, pi].
+  const auto upper = [&](const Point& p) { return p.y >= u.y; };
+  const bool a_upper = upper(a), b_upper = upper(b);
+  if (a_upper != b_upper) return b_upper;
+  const int side = side_of_line(u, a, b);
+  if (side != 0) return side > 0;
+  // On one line in one half: the same direction, or the two ends of the upper half, 0 and pi.
+  return a.x > u.x && b.x < u.x;
+}
+
+}  // namespace oblast::verify
