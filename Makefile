@@ -1,0 +1,48 @@
+# What a person types. Everything is done by CMake, CTest and the scripts in tools/.
+.DEFAULT_GOAL := help
+.PHONY: help install build demo test sanitize thread format lint bench fuzz clean
+
+PROGRAM := build/release/apps/oblast/oblast
+
+help:  ## this list
+	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 12
+
+install:  ## install what building and testing need (Debian 12)
+	@tools/install
+
+build: install  ## the program, the library and the tests, in build/release
+	@mkdir -p build
+	@cmake --preset release > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
+	@cmake --build --preset release
+
+demo: build  ## a month of fires: generated, united, checked and drawn into build/demo
+	@tools/demo $(PROGRAM) build/demo
+
+test: build  ## every test, with totals
+	@tools/test release
+
+sanitize: install  ## the tests under the address and undefined-behaviour sanitizers
+	@cmake --preset sanitize -DOBLAST_BUILD_PROGRAM=ON && cmake --build --preset sanitize && tools/test sanitize
+
+thread: install  ## the tests under the thread sanitizer
+	@cmake --preset thread && cmake --build --preset thread && tools/test thread
+
+format:  ## rewrite the formatting of every C++ file
+	@tools/lint fix
+
+lint: build  ## formatting and clang-tidy, as CI checks them
+	@tools/lint
+
+bench:  ## every workload and every peer; SCALE=full for the large sizes
+	@tools/install --bench
+	@bench/peers/install
+	@cmake --preset bench && cmake --build --preset bench
+	@bench/run --scale $(or $(SCALE),small)
+
+fuzz:  ## the fuzzers, SECONDS_EACH seconds each (60)
+	@tools/install --fuzz
+	@cmake --preset fuzz && cmake --build --preset fuzz
+	@tools/fuzz $(or $(SECONDS_EACH),60)
+
+clean:  ## remove everything built
+	@rm -rf build
