@@ -1,0 +1,30 @@
+// Hostile generator: results of earlier operations, ten deep.
+//
+// Results carry vertices that were rounded before, lying within an ulp of edges that are still there.
+#include <oblast/overlay.h>
+
+#include "generators/hostile.h"
+#include "generators/random.h"
+
+namespace oblast::generators {
+
+Operands fed_back(std::uint64_t seed, int size) {
+  static constexpr int depth = 10;
+  // Families of one scale each, so that what comes next meets what is there.
+  static constexpr decltype(&fans) families[] = {integer_grid, near_parallel_bundles, fans,  stars,     t_junctions,
+                                                 slivers,      vertices_on_edges,     combs, coverages, nested_squares};
+  Random random(seed);
+  const auto family = families[random.below(static_cast<int>(std::size(families)))];
+  Options options;
+  options.threads = 1;
+  RegionSet result = family(random.next(), size).a;
+  for (int step = 0; step < depth && result.points.size() < static_cast<std::size_t>(4 * size); ++step) {
+    const auto operation = static_cast<Operation>(random.below(4));
+    const Operands next = family(random.next(), size);
+    RegionSet changed = overlay(result, random.one_in(2) ? next.a : next.b, operation, options);
+    if (!changed.empty()) result = std::move(changed);
+  }
+  return {std::move(result), family(random.next(), size).b};
+}
+
+}  // namespace oblast::generators

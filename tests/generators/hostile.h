@@ -1,0 +1,59 @@
+// Hostile input: two operands made so that edges coincide, nearly coincide, or meet in crowds.
+//
+// Each generator is a pure function of a seed and a size, the same on every machine. Tests, the hostile
+// runner and the fuzzers share the list.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <cstdint>
+#include <span>
+
+namespace oblast::generators {
+
+/// Two operands of an overlay. Coordinates are in the domain; contours may be degenerate.
+struct Operands {
+  RegionSet a;
+  RegionSet b;
+};
+
+struct HostileGenerator {
+  const char* name;
+  const char* what;  ///< one sentence
+  /// `size`: about how many edges both operands have together; 8 or more.
+  Operands (*make)(std::uint64_t seed, int size);
+};
+
+/// All of them, in a fixed order.
+std::span<const HostileGenerator> hostile_generators();
+
+// lattice.cpp: where everything coincides
+Operands integer_grid(std::uint64_t seed, int size);
+Operands grid_by_an_ulp(std::uint64_t seed, int size);
+Operands copies_of_one_square(std::uint64_t seed, int size);
+Operands nested_squares(std::uint64_t seed, int size);
+Operands checkerboards(std::uint64_t seed, int size);
+
+// bundles.cpp: many edges through one place
+Operands near_parallel_bundles(std::uint64_t seed, int size);
+Operands fans(std::uint64_t seed, int size);
+Operands combs(std::uint64_t seed, int size);
+Operands stars(std::uint64_t seed, int size);
+
+// borders.cpp: edges that share a line, or almost
+Operands t_junctions(std::uint64_t seed, int size);
+Operands vertices_on_edges(std::uint64_t seed, int size);
+Operands slivers(std::uint64_t seed, int size);
+Operands coverages(std::uint64_t seed, int size);
+
+// scales.cpp: coordinates as they come, and as they hardly ever come
+Operands spirals(std::uint64_t seed, int size);
+Operands magnitudes(std::uint64_t seed, int size);
+Operands earth_degrees(std::uint64_t seed, int size);
+Operands earth_metres(std::uint64_t seed, int size);
+Operands far_from_origin(std::uint64_t seed, int size);
+
+// fed_back.cpp: results of earlier operations
+Operands fed_back(std::uint64_t seed, int size);
+
+}  // namespace oblast::generators

@@ -1,0 +1,184 @@
+// One hostile case, all four operations, every promise that can be checked quickly.
+#include "generators/trial.h"
+
+#include <oblast/overlay.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include "generators/random.h"
+#include "verify/verify.h"
+
+namespace oblast::generators {
+namespace {
+
+constexpr std::array operations{Operation::intersection, Operation::unite, Operation::difference,
+                                Operation::symmetric_difference};
+
+FillRule draw_rule(Random& random) {
+  switch (random.below(8)) {
+    case 0:
+      return FillRule::even_odd();
+    case 1:
+      return FillRule::nonzero();
+    case 2:
+      return FillRule::positive();
+    case 3:
+      return FillRule::negative();
+    case 4:
+      return FillRule::at_least(random.between(1, 3));
+    default:
+      return FillRule::polygons();
+  }
+}
+
+std::string to_text(const FillRule& rule) {
+  switch (rule.kind) {
+    case FillRule::Kind::polygons:
+      return "polygons";
+    case FillRule::Kind::at_least:
+      return "atleast:" + std::to_string(rule.depth);
+    case FillRule::Kind::even_odd:
+      return "evenodd";
+    case FillRule::Kind::nonzero:
+      return "nonzero";
+    case FillRule::Kind::positive:
+      return "positive";
+    case FillRule::Kind::negative:
+      return "negative";
+  }
+  return "";
+}
+
+Options options_of(const Request& request, Statistics* statistics) {
+  Options options;
+  options.fill_a = request.fill_a;
+  options.fill_b = request.fill_b;
+  options.contours = request.contours;
+  options.collinear = request.collinear;
+  options.threads = 1;
+  options.statistics = statistics;
+  return options;
+}
+
+// A result is read again by polygons, whatever rule it came from.
+Options again(Options options) {
+  options.fill_a = options.fill_b = FillRule::polygons();
+  options.statistics = nullptr;
+  return options;
+}
+
+std::optional<Failure> run_operation(const Operands& operands, Operation operation, const Request& request,
+                                     Figures& figures, RegionSet& result) {
+  Statistics statistics;
+  Options options = options_of(request, &statistics);
+  const auto broken = [&](Broken kind, const std::string& what) { return Failure{kind, operation, what}; };
+
+  result = overlay(operands.a, operands.b, operation, options);
+  figures.rounds = std::max(figures.rounds, statistics.rounds);
+  figures.displacement_ulps = std::max(figures.displacement_ulps, statistics.largest_displacement_ulps);
+  if (const auto fault = verify::check_result(result, request.contours)) {
+    return broken(Broken::unverified, fault->what);
+  }
+  if (unite(result, again(options)) != result) return broken(Broken::not_idempotent, "unite(result) is not result");
+
+  options.statistics = nullptr;
+  if (request.other_threads) options.threads = 2;
+  const RegionSet a = shuffled(operands.a, request.fill_a, request.seed);
+  const RegionSet b = shuffled(operands.b, request.fill_b, request.seed + 1);
+  if (overlay(a, b, operation, options) != result) return broken(Broken::order_dependent, "shuffled operands");
+  if (operation != Operation::difference) {
+    std::swap(options.fill_a, options.fill_b);
+    if (overlay(b, a, operation, options) != result) return broken(Broken::order_dependent, "exchanged operands");
+    std::swap(options.fill_a, options.fill_b);
+  }
+  if (request.other_engines) {
+    for (const Engine engine : {Engine::vatti, Engine::skvortsov}) {
+      options.engine = engine;
+      if (overlay(operands.a, operands.b, operation, options) != result) {
+        return broken(Broken::engines_differ, engine == Engine::vatti ? "vatti" : "skvortsov");
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Twice the error allowed to an area: every edge may move by a few units in the last place of the largest coordinate.
+double area_tolerance(const Operands& operands) {
+  double largest = 0;
+  for (const RegionSet* soup : {&operands.a, &operands.b}) {
+    for (const Point& p : soup->points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
+  const double edges = static_cast<double>(operands.a.points.size() + operands.b.points.size());
+  // Edges are cut into at most `edges` pieces, but moved ones stay as long as before.
+  return 0x1p-48 * largest * largest * (edges + 8);
+}
+
+std::optional<Failure> check_areas(const std::array<RegionSet, 4>& results, const Operands& operands) {
+  const double intersection = signed_area(results[0]), all = signed_area(results[1]);
+  const double only_a = signed_area(results[2]), either = signed_area(results[3]);
+  const double tolerance = area_tolerance(operands);
+  const auto off = [&](double x) { return !(std::abs(x) <= tolerance); };
+  if (off(all - intersection - either)) {
+    return Failure{Broken::area, Operation::symmetric_difference, "union != intersection + symmetric difference"};
+  }
+  if (only_a < -tolerance || only_a > either + tolerance || intersection < -tolerance) {
+    return Failure{Broken::area, Operation::difference, "the difference is not a part of the symmetric difference"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Request draw_request(std::uint64_t seed) {
+  Random random(seed ^ 0x5eed5eed5eed5eedu);
+  Request request;
+  request.fill_a = draw_rule(random);
+  request.fill_b = random.one_in(3) ? draw_rule(random) : request.fill_a;
+  request.contours = random.one_in(3) ? ContourConvention::leonov_nikitin : ContourConvention::ogc;
+  request.collinear = random.one_in(6) ? CollinearVertices::drop : CollinearVertices::keep;
+  request.seed = random.next();
+  request.other_threads = random.one_in(16);
+  return request;
+}
+
+std::string to_text(const Request& request) {
+  return "fill_a=" + to_text(request.fill_a) + " fill_b=" + to_text(request.fill_b) +
+         (request.contours == ContourConvention::ogc ? " ogc" : " leonov_nikitin") +
+         (request.collinear == CollinearVertices::keep ? "" : " drop_collinear") +
+         (request.other_threads ? " threads=2" : "");
+}
+
+const char* to_text(Broken broken) {
+  switch (broken) {
+    case Broken::unverified:
+      return "unverified";
+    case Broken::not_idempotent:
+      return "not idempotent";
+    case Broken::order_dependent:
+      return "order-dependent";
+    case Broken::threw:
+      return "exception";
+    case Broken::engines_differ:
+      return "engines differ";
+    case Broken::area:
+      return "areas contradict";
+  }
+  return "";
+}
+
+std::optional<Failure> run_trial(const Operands& operands, const Request& request, Figures& figures) {
+  std::array<RegionSet, 4> results;
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    try {
+      if (auto failure = run_operation(operands, operations[i], request, figures, results[i])) return failure;
+    } catch (const std::exception& e) {
+      return Failure{Broken::threw, operations[i], e.what()};
+    }
+  }
+  return check_areas(results, operands);
+}
+
+}  // namespace oblast::generators
