@@ -8,13 +8,13 @@
 namespace oblast {
 
 enum class ErrorCode {
-  not_finite,      ///< a coordinate is NaN or infinite
-  out_of_domain,   ///< a coordinate's magnitude is outside the domain (see domain.h)
-  too_large,       ///< more than 2^31 - 1 vertices in one call
-  bad_offsets,     ///< contour_ends or polygon_ends decrease or run past the end
-  bad_option,      ///< an option contradicts another or is out of range
-  precondition,    ///< the input is outside the stated domain of a classic method
-  cancelled,       ///< the caller's callback asked to stop
+  not_finite,     ///< a coordinate is NaN or infinite
+  out_of_domain,  ///< a coordinate's magnitude is outside the domain (see domain.h)
+  too_large,      ///< more than 2^31 - 1 vertices in one call
+  bad_offsets,    ///< contour_ends or polygon_ends decrease or run past the end
+  bad_option,     ///< an option contradicts another or is out of range
+  precondition,   ///< the input is outside the stated domain of a classic method
+  cancelled,      ///< the caller's callback asked to stop
 };
 
 /// Where in the input an error is: indices into the arrays of the operand. `npos` where it does not apply.

@@ -12,8 +12,6 @@ struct Point {
 };
 
 /// Lexicographic order: by x, then by y. Every canonical choice of the library is made by it.
-constexpr bool lexicographically_less(const Point& p, const Point& q) {
-  return p.x < q.x || (p.x == q.x && p.y < q.y);
-}
+constexpr bool lexicographically_less(const Point& p, const Point& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 }  // namespace oblast

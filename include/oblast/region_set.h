@@ -8,12 +8,12 @@
 // (a repeated one is accepted on input). Indices are 32-bit.
 #pragma once
 
+#include <oblast/point.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include <oblast/point.h>
 
 namespace oblast {
 
@@ -26,9 +26,7 @@ struct RegionView {
   std::span<const std::uint32_t> polygon_ends;
 
   std::size_t contour_count() const { return contour_ends.size(); }
-  std::size_t polygon_count() const {
-    return polygon_ends.empty() ? contour_ends.size() : polygon_ends.size();
-  }
+  std::size_t polygon_count() const { return polygon_ends.empty() ? contour_ends.size() : polygon_ends.size(); }
 
   std::uint32_t contour_begin(std::size_t c) const { return c == 0 ? 0 : contour_ends[c - 1]; }
   std::uint32_t contour_end(std::size_t c) const { return contour_ends[c]; }

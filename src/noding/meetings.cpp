@@ -1,0 +1,153 @@
+#include "noding/meetings.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "exact/intersection_point.h"
+#include "exact/orientation.h"
+#include "noding/pair_finder.h"
+
+namespace oblast::noding {
+namespace {
+
+using exact::orientation;
+
+bool in_box(const Point& p, const Point& a, const Point& b) {
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
+}
+
+/// Tests pairs of edges and gathers what they ask for; one a thread.
+class MeetingTest {
+ public:
+  MeetingTest(Strands& strands, std::vector<EdgeCut>& cuts) : strands_(strands), cuts_(cuts) {}
+
+  /// Every edge of one run against every edge of the other whose boxes meet.
+  void test_runs(const Run& p, const Run& q) {
+    const auto& points = strands_.points;
+    for (std::uint32_t i = p.first; i < p.last; ++i) {
+      const Box box = Box::of(points[i], points[i + 1]);
+      if (!box.meets(q.box)) continue;
+      for (std::uint32_t j = q.first; j < q.last; ++j)
+        if (box.meets(Box::of(points[j], points[j + 1]))) test_edges(i, j);
+    }
+  }
+
+ private:
+  //        d                 a, b: ends of edge i;  c, d: ends of edge j
+  //   a ---+--- b            +: the meeting
+  //        c
+  void test_edges(std::uint32_t i, std::uint32_t j) {
+    const auto& points = strands_.points;
+    const Point a = points[i], b = points[i + 1], c = points[j], d = points[j + 1];
+    const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
+    if (c_side * d_side > 0) return;
+    if (c_side != 0 && d_side != 0) {
+      const int a_side = orientation(c, d, a), b_side = orientation(c, d, b);
+      if (a_side * b_side > 0) return;
+      if (a_side != 0 && b_side != 0) {
+        const Point x = exact::intersection_point(a, b, c, d);
+        meet_at(i, x);
+        meet_at(j, x);
+        return;
+      }
+      if (a_side == 0) vertex_on_edge(i, a, j);
+      if (b_side == 0) vertex_on_edge(i + 1, b, j);
+      return;
+    }
+    if (c_side == 0) vertex_on_edge(j, c, i);
+    if (d_side == 0) vertex_on_edge(j + 1, d, i);
+    // An end of edge i may lie on edge j only where the edges are collinear or an end of j lies there too.
+    if (c_side == 0 && d_side == 0) {
+      vertex_on_edge(i, a, j);
+      vertex_on_edge(i + 1, b, j);
+      mark_fold(i + 1, b, a, j, c, d);
+      mark_fold(i, a, b, j + 1, d, c);
+    }
+  }
+
+  /// Edges that follow one another and fold back:  u --- v === tip. The tip is a node, so that the
+  /// two pieces that coincide end there. REQUIRES: collinear.
+  void mark_fold(std::uint32_t p, const Point& p_tip, const Point& u, std::uint32_t q, const Point& q_tip,
+                 const Point& v) {
+    if (p_tip != q_tip || lexicographically_less(u, p_tip) != lexicographically_less(v, q_tip)) return;
+    mark(p);
+    mark(q);
+  }
+
+  /// Edge `edge` passes through x: a new vertex, or one of its ends.
+  void meet_at(std::uint32_t edge, const Point& x) {
+    if (x == strands_.points[edge])
+      mark(edge);
+    else if (x == strands_.points[edge + 1])
+      mark(edge + 1);
+    else
+      cuts_.push_back({edge, x});
+  }
+
+  /// REQUIRES: p, the point of `vertex`, is collinear with the edge.
+  void vertex_on_edge(std::uint32_t vertex, const Point& p, std::uint32_t edge) {
+    const Point &a = strands_.points[edge], &b = strands_.points[edge + 1];
+    if (p == a || p == b) {
+      const std::uint32_t other = p == a ? edge : edge + 1;
+      if (same_vertex(vertex, other)) return;
+      mark(vertex);
+      mark(other);
+    } else if (in_box(p, a, b)) {
+      mark(vertex);
+      cuts_.push_back({edge, p});
+    }
+  }
+
+  /// One index, or the first and the last vertex of one closed strand.
+  bool same_vertex(std::uint32_t p, std::uint32_t q) const {
+    if (p == q) return true;
+    if (!(strands_.flags[p] & strands_.flags[q] & closed_flag)) return false;
+    const auto strand_of = [&](std::uint32_t v) {
+      return std::upper_bound(strands_.ends.begin(), strands_.ends.end(), v) - strands_.ends.begin();
+    };
+    return strand_of(p) == strand_of(q);
+  }
+
+  void mark(std::uint32_t vertex) {
+    const std::atomic_ref flags(strands_.flags[vertex]);
+    if (!(flags.load(std::memory_order_relaxed) & node_flag)) flags.fetch_or(node_flag, std::memory_order_relaxed);
+  }
+
+  Strands& strands_;
+  std::vector<EdgeCut>& cuts_;
+};
+
+}  // namespace
+
+std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs,
+                                   const std::function<void()>& checkpoint) {
+  tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
+  find_pairs(runs, [&](std::span<const RunPair> pairs) {
+    if (checkpoint) checkpoint();
+    MeetingTest test(strands, found.local());
+    for (const auto& [p, q] : pairs) test.test_runs(runs[p], runs[q]);
+  });
+
+  std::vector<EdgeCut> cuts;
+  for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
+  // Rounding is monotone, so the order along the edge is the order of x, and of y where x is the same,
+  // each in the edge's own direction.
+  const auto before = [&](const EdgeCut& p, const EdgeCut& q) {
+    if (p.edge != q.edge) return p.edge < q.edge;
+    const Point &a = strands.points[p.edge], &b = strands.points[p.edge + 1];
+    if (p.at.x != q.at.x) return (p.at.x < q.at.x) == (a.x < b.x);
+    if (p.at.y != q.at.y) return (p.at.y < q.at.y) == (a.y < b.y);
+    return false;
+  };
+  tbb::parallel_sort(cuts.begin(), cuts.end(), before);
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
+                         [](const EdgeCut& p, const EdgeCut& q) { return p.edge == q.edge && p.at == q.at; }),
+             cuts.end());
+  return cuts;
+}
+
+}  // namespace oblast::noding

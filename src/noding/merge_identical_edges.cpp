@@ -1,0 +1,94 @@
+#include "noding/merge_identical_edges.h"
+
+#include <bit>
+
+#include "noding/point_hash.h"
+
+namespace oblast::noding {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+/// Links every edge to the first one with the same ends: an open-addressing table of edges.
+class EdgeTable {
+ public:
+  EdgeTable(const std::vector<Point>& points, std::size_t edges)
+      : points_(points), slots_(std::bit_ceil(edges * 2 + 2), none), mask_(slots_.size() - 1) {}
+
+  /// The first edge with the ends of this one; the edge itself when it is new.
+  std::uint32_t find_or_insert(std::uint32_t edge) {
+    const Point &a = points_[edge], &b = points_[edge + 1];
+    for (std::uint64_t slot = noding::hash(a) + noding::hash(b);; ++slot) {
+      std::uint32_t& entry = slots_[slot & mask_];
+      if (entry == none) return entry = edge;
+      const Point &c = points_[entry], &d = points_[entry + 1];
+      if ((a == c && b == d) || (a == d && b == c)) return entry;
+    }
+  }
+
+ private:
+  const std::vector<Point>& points_;
+  std::vector<std::uint32_t> slots_;
+  std::uint64_t mask_;
+};
+
+struct Merged {
+  std::uint32_t edge;
+  Winding change;
+};
+
+}  // namespace
+
+Strands merge_identical_edges(Strands strands) {
+  const auto& points = strands.points;
+  EdgeTable table(points, points.size());
+  std::vector<std::uint32_t> same;  // by edge, once there is a repeated one: the first edge with its ends
+  std::vector<Winding> sums;        // by edge, for first edges that were repeated
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
+      const std::uint32_t first = table.find_or_insert(e);
+      if (first == e) continue;
+      if (same.empty()) {
+        same.assign(points.size(), none);
+        sums.assign(points.size(), Winding{});
+      }
+      same[first] = first;
+      same[e] = first;
+    }
+  }
+  if (same.empty()) return strands;
+
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
+      if (same[e] == none) continue;
+      const bool same_direction = points[e] == points[same[e]];
+      sums[same[e]] = sums[same[e]] + (same_direction ? strands.change[s] : -strands.change[s]);
+    }
+  }
+
+  Strands result;
+  result.points.reserve(points.size());
+  std::vector<Merged> merged;
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    const std::uint32_t begin = strands.begin(s), end = strands.ends[s];
+    std::uint32_t first = begin;
+    for (std::uint32_t e = begin; e < end; ++e) {
+      const bool last_vertex = e + 1 == end;
+      if (!last_vertex && same[e] == none) continue;
+      if (!last_vertex && same[e] == e && !sums[e].is_zero()) merged.push_back({e, sums[e]});
+      if (e > first) {
+        result.points.insert(result.points.end(), points.begin() + first, points.begin() + e + 1);
+        result.close_strand(strands.change[s], strands.group[s]);
+      }
+      first = e + 1;
+    }
+  }
+  for (const Merged& m : merged) {
+    result.points.push_back(points[m.edge]);
+    result.points.push_back(points[m.edge + 1]);
+    result.close_strand(m.change, any_group);
+  }
+  return result;
+}
+
+}  // namespace oblast::noding

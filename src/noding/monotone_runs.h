@@ -1,0 +1,40 @@
+// Monotone runs: maximal stretches of a strand along which neither coordinate turns back.
+//
+// A run never meets itself and its box is spanned by its two ends, so the search for meetings starts
+// from runs instead of single edges.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "noding/strands.h"
+
+namespace oblast::noding {
+
+struct Box {
+  double x0, y0, x1, y1;
+
+  static Box of(const Point& p, const Point& q) {
+    return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+  }
+  bool meets(const Box& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
+};
+
+struct Run {
+  Box box;
+  std::uint32_t first;  ///< first edge
+  std::uint32_t last;   ///< past the last edge, which is also the index of the last vertex
+  Group group;
+};
+
+/// Which groups the runs of a round get.
+enum class Grouping {
+  by_strand,  ///< first round: the group of the strand
+  by_moved,   ///< later rounds: pieces made by the last round may meet anything, all others are settled
+};
+
+/// Cost: linear.
+std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping);
+
+}  // namespace oblast::noding

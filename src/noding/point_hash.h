@@ -1,0 +1,22 @@
+// Hashing points by their bits. REQUIRES: no -0.0.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <bit>
+#include <cstdint>
+
+namespace oblast::noding {
+
+/// A mixing step after splitmix64 (Steele, Lea and Flood 2014).
+constexpr std::uint64_t mix(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+inline std::uint64_t hash(const Point& p) {
+  return mix(std::bit_cast<std::uint64_t>(p.x) + 0x9e3779b97f4a7c15ULL * mix(std::bit_cast<std::uint64_t>(p.y)));
+}
+
+}  // namespace oblast::noding

@@ -1,0 +1,63 @@
+// Strands: what noding works on. A strand is a path of edges that all change the winding numbers alike.
+//
+//   points   a0 a1 a2 a3 a0 | b0 b1 | c0 c1 c2
+//   ends                  5       7          10
+//
+// A contour enters as a closed strand (its first point repeated as its last). Where identical edges were
+// merged it falls apart into open strands, and the merged edge is a strand of its own. Edge i runs from
+// points[i] to points[i + 1]; the last vertex of a strand starts no edge.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace oblast::noding {
+
+/// How much the winding numbers of A and B grow when an edge, seen along its direction, is crossed from
+/// its right to its left.
+struct Winding {
+  std::int32_t a = 0;
+  std::int32_t b = 0;
+
+  bool is_zero() const { return a == 0 && b == 0; }
+  friend bool operator==(const Winding&, const Winding&) = default;
+  friend Winding operator+(Winding p, Winding q) { return {p.a + q.a, p.b + q.b}; }
+  friend Winding operator-(Winding p, Winding q) { return {p.a - q.a, p.b - q.b}; }
+  friend Winding operator-(Winding p) { return {-p.a, -p.b}; }
+};
+
+/// What is known of a vertex; a set of bits.
+enum VertexFlag : std::uint8_t {
+  node_flag = 1,    ///< other edges meet here: a node of the graph
+  added_flag = 2,   ///< put in by noding; not a vertex of the input
+  moved_flag = 4,   ///< the edge that starts here is a piece that the last round made
+  closed_flag = 8,  ///< first or last vertex of a closed strand
+};
+
+/// Edges of one group are known not to meet each other except where they follow one another.
+/// Edges of group 0 may meet anything.
+using Group = std::uint32_t;
+inline constexpr Group any_group = 0;
+
+struct Strands {
+  std::vector<Point> points;
+  std::vector<std::uint8_t> flags;    ///< by vertex
+  std::vector<std::uint32_t> origin;  ///< by vertex, once cut: input edge that an added vertex lies on
+  std::vector<std::uint32_t> ends;    ///< by strand: past its last vertex
+  std::vector<Winding> change;        ///< by strand
+  std::vector<Group> group;           ///< by strand
+
+  std::uint32_t begin(std::size_t strand) const { return strand == 0 ? 0 : ends[strand - 1]; }
+  std::size_t size() const { return ends.size(); }
+
+  /// Ends the strand whose points were appended last.
+  void close_strand(Winding winding, Group strand_group) {
+    ends.push_back(static_cast<std::uint32_t>(points.size()));
+    change.push_back(winding);
+    group.push_back(strand_group);
+  }
+};
+
+}  // namespace oblast::noding

@@ -1,0 +1,79 @@
+#include "overlay/assemble.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace oblast {
+namespace {
+
+/// A ring read from a chosen vertex.
+class Rotation {
+ public:
+  Rotation(const Rings& rings, std::size_t ring, std::uint32_t start)
+      : points_(rings.points.data()), begin_(rings.begin(ring)), end_(rings.ends[ring]), start_(start) {}
+
+  std::size_t size() const { return end_ - begin_; }
+  const Point& operator[](std::size_t i) const {
+    const std::size_t v = start_ + i;
+    return points_[v < end_ ? v : v - size()];
+  }
+  bool operator<(const Rotation& o) const {
+    for (std::size_t i = 0; i < std::min(size(), o.size()); ++i)
+      if ((*this)[i] != o[i]) return lexicographically_less((*this)[i], o[i]);
+    return size() < o.size();
+  }
+
+ private:
+  const Point* points_;
+  std::uint32_t begin_, end_, start_;
+};
+
+Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
+  std::uint32_t best = rings.begin(ring);
+  for (std::uint32_t v = best + 1; v < rings.ends[ring]; ++v) {
+    if (lexicographically_less(rings.points[v], rings.points[best])) best = v;
+  }
+  Rotation rotation(rings, ring, best);
+  // Under leonov_nikitin a contour may come by its smallest vertex more than once.
+  for (std::uint32_t v = best + 1; v < rings.ends[ring]; ++v) {
+    if (rings.points[v] != rings.points[best]) continue;
+    const Rotation other(rings, ring, v);
+    if (other < rotation) rotation = other;
+  }
+  return rotation;
+}
+
+}  // namespace
+
+RegionSet assemble(const Rings& rings, const Nesting& nesting) {
+  std::vector<Rotation> rotations;
+  rotations.reserve(rings.size());
+  for (std::size_t r = 0; r < rings.size(); ++r) rotations.push_back(canonical_rotation(rings, r));
+
+  std::vector<std::uint32_t> outer_of(nesting.polygon_count);
+  for (std::uint32_t r = 0; r < rings.size(); ++r)
+    if (nesting.outer[r]) outer_of[nesting.polygon[r]] = r;
+  std::vector<std::uint32_t> order(rings.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t r, std::uint32_t s) {
+    const std::uint32_t p = nesting.polygon[r], q = nesting.polygon[s];
+    if (p != q) return rotations[outer_of[p]] < rotations[outer_of[q]];
+    if (nesting.outer[r] != nesting.outer[s]) return static_cast<bool>(nesting.outer[r]);
+    return rotations[r] < rotations[s];
+  });
+
+  RegionSet result;
+  result.points.reserve(rings.points.size());
+  result.contour_ends.reserve(rings.size());
+  result.polygon_ends.reserve(nesting.polygon_count);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Rotation& ring = rotations[order[i]];
+    for (std::size_t k = 0; k < ring.size(); ++k) result.points.push_back(ring[k]);
+    result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
+    if (i + 1 == order.size() || nesting.polygon[order[i + 1]] != nesting.polygon[order[i]])
+      result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
+  }
+  return result;
+}
+
+}  // namespace oblast

@@ -1,0 +1,14 @@
+// Stage 6, second half: the region set in canonical order (promise G3).
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include "overlay/nesting.h"
+
+namespace oblast {
+
+/// Each contour from its smallest vertex (of several rotations the one whose sequence is smallest), the
+/// outer contour first, holes and polygons in the order of their sequences. Cost: O(n + z log z).
+RegionSet assemble(const Rings& rings, const Nesting& nesting);
+
+}  // namespace oblast

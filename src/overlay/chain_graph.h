@@ -1,0 +1,81 @@
+// The graph of an arrangement: nodes, where something happens, and chains, all that lies between two.
+//
+//   strand     n1 --- p --- p --- n2 --- p --- n3       n: node,  p: passes through, meets nothing
+//   chains     [    first chain    ][  second   ]       ranges of the strands' points
+//
+// A chain keeps the label of its first edge (Leonov and Nikitin, rule 2.1), so the graph has as many
+// elements as there are meetings. A contour that meets nothing is one closed chain without nodes. A node
+// holds its connectivity list L(x): descriptors of the chains that end there, counter-clockwise.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "noding/strands.h"
+
+namespace oblast {
+
+using noding::Winding;
+
+inline constexpr std::uint32_t none = 0xffffffff;
+
+struct Chain {
+  std::uint32_t first;        ///< index of its first vertex in the points
+  std::uint32_t last;         ///< index of its last vertex, > first
+  std::uint32_t from;         ///< node of the first vertex; none for a closed chain without nodes
+  std::uint32_t to;           ///< node of the last vertex
+  std::uint32_t merged_into;  ///< the chain that stands for this one: itself, unless an identical edge does
+  Winding change;             ///< left minus right, of all merged chains together
+
+  bool is_loop() const { return from == none; }
+};
+
+/// A descriptor: a chain as seen from one of its ends, leaving it. Twice the chain's index, plus one
+/// when the chain is left backward (the descriptor sits at its last vertex).
+using Descriptor = std::uint32_t;
+constexpr std::uint32_t chain_of(Descriptor d) { return d >> 1; }
+constexpr bool is_backward(Descriptor d) { return d & 1; }
+constexpr Descriptor forward(std::uint32_t chain) { return chain << 1; }
+constexpr Descriptor opposite(Descriptor d) { return d ^ 1; }
+
+struct ChainGraph {
+  noding::Strands strands;
+  std::vector<Chain> chains;
+  std::vector<std::uint32_t> node_vertex;  ///< by node: one vertex that lies there
+  std::vector<std::uint32_t> list_ends;    ///< by node: past its last descriptor in `lists`
+  std::vector<Descriptor> lists;           ///< connectivity lists, each counter-clockwise (see angular_order.h)
+
+  std::size_t node_count() const { return node_vertex.size(); }
+  std::span<const Descriptor> list(std::uint32_t node) const {
+    const std::uint32_t begin = node == 0 ? 0 : list_ends[node - 1];
+    return std::span(lists).subspan(begin, list_ends[node] - begin);
+  }
+  const Point& point(std::uint32_t vertex) const { return strands.points[vertex]; }
+
+  /// A chain is in the arrangement when it stands for itself and changes some winding number.
+  bool is_live(std::uint32_t chain) const {
+    return chains[chain].merged_into == chain && !chains[chain].change.is_zero();
+  }
+  std::uint32_t start_node(Descriptor d) const {
+    return is_backward(d) ? chains[chain_of(d)].to : chains[chain_of(d)].from;
+  }
+  std::uint32_t end_node(Descriptor d) const { return start_node(opposite(d)); }
+  std::uint32_t start_vertex(Descriptor d) const {
+    return is_backward(d) ? chains[chain_of(d)].last : chains[chain_of(d)].first;
+  }
+  /// The vertex after the start vertex: it gives the descriptor's direction.
+  std::uint32_t next_vertex(Descriptor d) const {
+    return is_backward(d) ? chains[chain_of(d)].last - 1 : chains[chain_of(d)].first + 1;
+  }
+  /// Winding change when the descriptor's chain, in the descriptor's direction, is crossed from right to left.
+  Winding change(Descriptor d) const {
+    const Winding w = chains[chain_of(d)].change;
+    return is_backward(d) ? -w : w;
+  }
+};
+
+/// Cost: O(n) to pass over the vertices, O(k log d) for k chain ends at nodes of degree d.
+ChainGraph build_chain_graph(noding::Strands strands);
+
+}  // namespace oblast

@@ -1,0 +1,40 @@
+// Stage 5: selected chains to contours, turning by the angular order at each vertex.
+//
+// A walk keeps the result on its left. At a node it leaves by the first selected descriptor clockwise from
+// the one it came by (the paper's Jump), so it hugs one sector of the interior and never crosses
+// itself or another walk:
+//
+//              | w        it comes along u, the result is between u and w, and it leaves along w
+//         u ---x
+//
+// This is the `leonov_nikitin` convention. For `ogc` a walk is then parted where it returns to a node.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "overlay/select.h"
+
+namespace oblast {
+
+/// Contours as sequences of descriptors, and the walk each was parted from.
+struct LinkedContours {
+  std::vector<Descriptor> descriptors;
+  std::vector<std::uint32_t> ends;           ///< by contour
+  std::vector<std::uint32_t> walk;           ///< by contour
+  std::vector<std::uint32_t> walk_of_chain;  ///< by chain; none where not selected
+  std::uint32_t walk_count = 0;
+
+  std::span<const Descriptor> contour(std::size_t c) const {
+    const std::uint32_t begin = c == 0 ? 0 : ends[c - 1];
+    return std::span(descriptors).subspan(begin, ends[c] - begin);
+  }
+};
+
+/// Every selected chain is in just one contour. Cost: linear in the chains and the list lengths.
+LinkedContours link(const ChainGraph& graph, const Selection& selection, ContourConvention convention);
+
+}  // namespace oblast

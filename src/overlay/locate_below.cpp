@@ -1,0 +1,146 @@
+#include "overlay/locate_below.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <memory_resource>
+#include <numeric>
+#include <set>
+
+#include "exact/orientation.h"
+
+namespace oblast {
+namespace {
+
+/// A lexicographically monotone stretch of a chain, walked from its smaller end by a cursor.
+struct SweepRun {
+  std::uint32_t cursor;  ///< vertex where the edge under the sweep begins
+  std::uint32_t end;     ///< vertex where the run ends
+  std::int32_t step;     ///< 1 when the chain runs to the right, -1 when to the left
+  std::uint32_t chain;
+};
+
+class Sweep {
+ public:
+  Sweep(const ChainGraph& graph, std::span<const BelowQuery> queries) : graph_(graph), queries_(queries) {
+    order_.resize(queries.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    tbb::parallel_sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return lexicographically_less(queries[i].p, queries[j].p);
+    });
+  }
+
+  void add(std::uint32_t chain) {
+    const Chain& c = graph_.chains[chain];
+    for (std::uint32_t first = c.first; first < c.last;) {
+      const bool rightward = lexicographically_less(point(first), point(first + 1));
+      std::uint32_t last = first + 1;
+      while (last < c.last && lexicographically_less(point(last), point(last + 1)) == rightward) ++last;
+      const std::uint32_t begin = rightward ? first : last, end = rightward ? last : first;
+      if (holds_query(begin, end)) runs_.push_back({begin, end, rightward ? 1 : -1, chain});
+      first = last;
+    }
+  }
+
+  std::vector<Below> run();
+
+ private:
+  /// The order of the status, from below to above. Of two runs compared the later one is being put in:
+  /// the sweep stands at its start.
+  struct Lower {
+    using is_transparent = void;
+    Sweep* sweep;
+
+    bool operator()(std::uint32_t r, std::uint32_t s) const {
+      if (r == s) return false;
+      const Point &r_start = sweep->start_points_[r], &s_start = sweep->start_points_[s];
+      if (lexicographically_less(r_start, s_start)) return sweep->is_below(r, s_start, sweep->edge_end(s));
+      return !sweep->is_below(s, r_start, sweep->edge_end(r));
+    }
+    bool operator()(std::uint32_t r, const BelowQuery& query) const { return sweep->is_below(r, query.p, query.q); }
+  };
+
+  const Point& edge_end(std::uint32_t r) const { return point(runs_[r].cursor + runs_[r].step); }
+  const Point& point(std::uint32_t vertex) const { return graph_.strands.points[vertex]; }
+
+  bool holds_query(std::uint32_t begin, std::uint32_t end) const {
+    const auto it = std::lower_bound(order_.begin(), order_.end(), point(begin), [&](std::uint32_t i, const Point& p) {
+      return lexicographically_less(queries_[i].p, p);
+    });
+    return it != order_.end() && lexicographically_less(queries_[*it].p, point(end));
+  }
+
+  /// True when the run passes below the edge (p, q), where p is where the sweep stands.
+  bool is_below(std::uint32_t r, const Point& p, const Point& q) {
+    SweepRun& run = runs_[r];
+    std::uint32_t next = run.cursor + run.step;
+    while (next != run.end && !lexicographically_less(p, point(next))) {
+      run.cursor = next;
+      next += run.step;
+    }
+    const Point &a = point(run.cursor), &b = point(next);
+    return a == p ? exact::orientation(p, b, q) > 0 : exact::orientation(a, b, p) > 0;
+  }
+
+  const ChainGraph& graph_;
+  std::span<const BelowQuery> queries_;
+  std::vector<std::uint32_t> order_;  ///< queries, sorted by p
+  std::vector<SweepRun> runs_;
+  std::vector<Point> start_points_;
+};
+
+std::vector<Below> Sweep::run() {
+  std::vector<Below> answers(queries_.size());
+  std::vector<std::uint32_t> starts(runs_.size()), finishes(runs_.size());
+  std::iota(starts.begin(), starts.end(), 0U);
+  std::iota(finishes.begin(), finishes.end(), 0U);
+  start_points_.resize(runs_.size());
+  for (std::size_t r = 0; r < runs_.size(); ++r) start_points_[r] = point(runs_[r].cursor);
+  tbb::parallel_sort(starts.begin(), starts.end(), [&](std::uint32_t r, std::uint32_t s) {
+    return lexicographically_less(start_points_[r], start_points_[s]);
+  });
+  tbb::parallel_sort(finishes.begin(), finishes.end(), [&](std::uint32_t r, std::uint32_t s) {
+    return lexicographically_less(point(runs_[r].end), point(runs_[s].end));
+  });
+
+  std::pmr::unsynchronized_pool_resource pool;
+  std::pmr::set<std::uint32_t, Lower> status(Lower{this}, &pool);
+  std::vector<decltype(status)::iterator> places(runs_.size());
+
+  std::size_t next_start = 0, next_finish = 0;
+  for (const std::uint32_t query : order_) {
+    const Point& p = queries_[query].p;
+    // In order: at one point runs finish before others start.
+    for (;;) {
+      const bool starting = next_start < starts.size() && !lexicographically_less(p, start_points_[starts[next_start]]);
+      const bool finishing =
+          next_finish < finishes.size() && !lexicographically_less(p, point(runs_[finishes[next_finish]].end));
+      if (finishing && !(starting && lexicographically_less(start_points_[starts[next_start]],
+                                                            point(runs_[finishes[next_finish]].end)))) {
+        status.erase(places[finishes[next_finish++]]);
+      } else if (starting) {
+        const std::uint32_t r = starts[next_start++];
+        places[r] = status.insert(r).first;
+      } else {
+        break;
+      }
+    }
+    const auto it = status.lower_bound(queries_[query]);
+    if (it == status.begin()) continue;
+    const SweepRun& below = runs_[*std::prev(it)];
+    answers[query] = {below.chain, below.step > 0};
+  }
+  return answers;
+}
+
+}  // namespace
+
+std::vector<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
+                                std::span<const BelowQuery> queries) {
+  if (queries.empty()) return {};
+  Sweep sweep(graph, queries);
+  for (const std::uint32_t chain : chains) sweep.add(chain);
+  return sweep.run();
+}
+
+}  // namespace oblast

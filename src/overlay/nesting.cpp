@@ -1,0 +1,82 @@
+#include "overlay/nesting.h"
+
+#include <algorithm>
+
+#include "exact/orientation.h"
+#include "overlay/locate_below.h"
+
+namespace oblast {
+namespace {
+
+/// The smallest vertex of a ring and the edge by which the ring arrives there.
+struct Smallest {
+  BelowQuery arrival;
+  bool outer = true;
+};
+
+/// A ring that touches itself may visit its smallest vertex more than once; one right turn there makes it a hole.
+Smallest smallest_vertex(const Rings& rings, std::size_t ring) {
+  const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
+  Smallest found;
+  std::uint32_t best = begin;
+  for (std::uint32_t v = begin + 1; v < end; ++v)
+    if (lexicographically_less(rings.points[v], rings.points[best])) best = v;
+  const Point p = rings.points[best];
+  for (std::uint32_t v = best; v < end; ++v) {
+    if (rings.points[v] != p) continue;
+    const Point& before = rings.points[v == begin ? end - 1 : v - 1];
+    const Point& after = rings.points[v + 1 == end ? begin : v + 1];
+    found.arrival = {p, before};
+    found.outer = exact::orientation(before, p, after) > 0;
+    if (!found.outer) break;
+  }
+  return found;
+}
+
+/// True when the arrival of q is at a smaller vertex, or at the same one from below.
+bool lower(const BelowQuery& q, const BelowQuery& r) {
+  if (q.p != r.p) return lexicographically_less(q.p, r.p);
+  return exact::orientation(q.p, q.q, r.q) > 0;
+}
+
+}  // namespace
+
+Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked, const Rings& rings) {
+  Nesting nesting;
+  nesting.polygon.resize(rings.size());
+  nesting.outer.resize(rings.size());
+  std::vector<std::uint32_t> polygon_of_walk(linked.walk_count, none);
+  std::vector<BelowQuery> arrivals(rings.size());
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Smallest smallest = smallest_vertex(rings, r);
+    nesting.outer[r] = smallest.outer;
+    arrivals[r] = smallest.arrival;
+    if (smallest.outer) polygon_of_walk[linked.walk[r]] = nesting.polygon_count++;
+  }
+
+  // Of each walk of holes, the ring that is lowest and leftmost.
+  std::vector<std::uint32_t> first_ring(linked.walk_count, none);
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    std::uint32_t& first = first_ring[linked.walk[r]];
+    if (polygon_of_walk[linked.walk[r]] == none && (first == none || lower(arrivals[r], arrivals[first]))) first = r;
+  }
+  std::erase(first_ring, none);
+  std::sort(first_ring.begin(), first_ring.end(),
+            [&](std::uint32_t r, std::uint32_t s) { return lexicographically_less(arrivals[r].p, arrivals[s].p); });
+  std::vector<BelowQuery> queries;
+  queries.reserve(first_ring.size());
+  for (const std::uint32_t r : first_ring) queries.push_back(arrivals[r]);
+  std::vector<std::uint32_t> selected;
+  if (!queries.empty()) {
+    for (std::uint32_t c = 0; c < selection.size(); ++c)
+      if (selection[c] != none) selected.push_back(c);
+  }
+  const std::vector<Below> below = locate_below(graph, selected, queries);
+  for (std::size_t i = 0; i < first_ring.size(); ++i)
+    polygon_of_walk[linked.walk[first_ring[i]]] = polygon_of_walk[linked.walk_of_chain[below[i].chain]];
+
+  for (std::size_t r = 0; r < rings.size(); ++r) nesting.polygon[r] = polygon_of_walk[linked.walk[r]];
+  return nesting;
+}
+
+}  // namespace oblast

@@ -1,0 +1,25 @@
+// Stage 6, first half: which contours bound one region, from the faces of the result.
+//
+// A walk with the outside to the west of its smallest vertex is the outer contour of a polygon. Any other
+// is a hole: directly below its smallest vertex p lies a chain of another walk, and between the two
+// nothing, so both bound the same region. That walk's smallest vertex is smaller, so in the order of
+// smallest vertices its polygon is known.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "overlay/rings.h"
+
+namespace oblast {
+
+struct Nesting {
+  std::vector<std::uint32_t> polygon;  ///< by ring
+  std::vector<bool> outer;             ///< by ring: counter-clockwise
+  std::uint32_t polygon_count = 0;
+};
+
+/// REQUIRES: `rings` are the contours of `linked`, in its order, with all their vertices.
+Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked, const Rings& rings);
+
+}  // namespace oblast

@@ -1,0 +1,57 @@
+#include <oblast/overlay.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+
+#include "overlay/pipeline.h"
+#include "overlay/validate.h"
+
+namespace oblast {
+namespace {
+
+void check_options(const Options& options) {
+  for (const FillRule* rule : {&options.fill_a, &options.fill_b})
+    if (rule->kind == FillRule::Kind::at_least && rule->depth < 1)
+      throw Error(ErrorCode::bad_option, "at_least needs a depth of 1 or more");
+  if (options.threads < 0) throw Error(ErrorCode::bad_option, "threads must be 0 (all cores) or more");
+}
+
+RegionSet run(const RegionView& a, const RegionView* b, Operation operation, const Options& options) {
+  check_options(options);
+  validate(a, 0);
+  if (b) validate(*b, 1);
+  if (a.points.size() + (b ? b->points.size() : 0) >= 0x7fffffff)
+    throw Error(ErrorCode::too_large, "more than 2^31 - 1 vertices in one call");
+
+  Statistics statistics;
+  Control control(options.progress);
+  PipelineResult result;
+  const auto work = [&] { result = run_pipeline(a, b, operation, options, control, statistics); };
+  if (options.threads == 0) {
+    work();
+  } else {
+    tbb::task_arena arena(options.threads);
+    arena.execute(work);
+  }
+  if (options.statistics) {
+    statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
+    statistics.input_vertices = a.points.size() + (b ? b->points.size() : 0);
+    statistics.output_polygons = result.regions.polygon_ends.size();
+    statistics.output_contours = result.regions.contour_ends.size();
+    statistics.output_vertices = result.regions.points.size();
+    *options.statistics = statistics;
+  }
+  return std::move(result.regions);
+}
+
+}  // namespace
+
+RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options) {
+  return run(a, &b, operation, options);
+}
+
+RegionSet unite(const RegionView& regions, const Options& options) {
+  return run(regions, nullptr, Operation::unite, options);
+}
+
+}  // namespace oblast

@@ -1,0 +1,20 @@
+// The pipeline: one function, one call a stage.
+#pragma once
+
+#include <oblast/options.h>
+#include <oblast/region_set.h>
+
+#include "overlay/control.h"
+
+namespace oblast {
+
+struct PipelineResult {
+  RegionSet regions;
+  bool touches = false;  ///< some vertex is on the boundary more than once
+};
+
+/// Stages 1 to 6 (ARCHITECTURE.md). `b` may be null: then the operation sees an empty B.
+PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
+                            Control& control, Statistics& statistics);
+
+}  // namespace oblast

@@ -1,0 +1,150 @@
+// Edges that cancel leave nothing behind (promise G3a).
+//
+//   a ----- t ----- t ----- b        t: trace vertices, pieces of one input edge
+//   a --------------------- b        the straightened edge, kept if it meets nothing else
+//
+// All straightened edges are tried at once; those that meet another edge of the result other than at an
+// end get their vertices back, all at once, until none does. So the outcome is a function of the
+// result alone, and promise G2 holds.
+#include <algorithm>
+#include <atomic>
+
+#include "exact/orientation.h"
+#include "noding/pair_finder.h"
+#include "overlay/rings.h"
+
+namespace oblast {
+namespace {
+
+using exact::orientation;
+using noding::Strands;
+
+/// REQUIRES: the boxes of (a, b) and (c, d) meet. Sharing one end is no conflict.
+bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const bool share_a = a == c || a == d, share_b = b == c || b == d;
+  if (share_a && share_b) return true;
+  const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
+  if (share_a || share_b) {
+    if (c_side != 0 || d_side != 0) return false;
+    const Point &shared = share_a ? a : b, &p = share_a ? b : a, &q = (c == shared) ? d : c;
+    return lexicographically_less(p, shared) == lexicographically_less(q, shared);
+  }
+  if (c_side * d_side > 0) return false;
+  if (c_side == 0 && d_side == 0) {
+    // Collinear with boxes that meet.
+    return true;
+  }
+  return orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+/// The rings as closed strands without the vertices flagged `drop`; `from` is by vertex of the strands.
+struct Straightened {
+  Strands strands;
+  std::vector<std::uint32_t> from;  ///< index in the rings
+};
+
+Straightened straighten(const Rings& rings) {
+  Straightened s;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
+    const auto traced = [&](std::uint32_t v) { return (rings.flags[v] & trace_vertex) != 0; };
+    std::uint32_t first = begin;
+    while (first < end && traced(first)) ++first;  // a ring always has vertices of the input
+    std::uint32_t v = first;
+    do {
+      const bool is_traced = traced(v);
+      if (!is_traced) {
+        s.strands.points.push_back(rings.points[v]);
+        s.strands.flags.push_back(0);
+        s.from.push_back(v);
+      } else {
+        s.strands.flags.back() = noding::moved_flag;
+      }
+      v = v + 1 == end ? begin : v + 1;
+    } while (v != first);
+    s.strands.points.push_back(rings.points[first]);
+    s.strands.flags.push_back(0);
+    s.from.push_back(first);
+    s.strands.close_strand({}, noding::any_group);
+  }
+  return s;
+}
+
+/// Straightened edges in conflict, by the index of their first vertex in the rings.
+std::vector<std::uint32_t> find_conflicts(const Straightened& s) {
+  const auto& points = s.strands.points;
+  std::vector<std::uint8_t> conflict(points.size(), 0);
+  const auto runs = noding::monotone_runs(s.strands, noding::Grouping::by_moved);
+  const auto set = [&](std::uint32_t edge) {
+    if (s.strands.flags[edge] & noding::moved_flag) std::atomic_ref(conflict[edge]).store(1, std::memory_order_relaxed);
+  };
+  noding::find_pairs(runs, [&](std::span<const noding::RunPair> pairs) {
+    for (const auto& [p, q] : pairs) {
+      for (std::uint32_t i = runs[p].first; i < runs[p].last; ++i) {
+        const noding::Box box = noding::Box::of(points[i], points[i + 1]);
+        for (std::uint32_t j = runs[q].first; j < runs[q].last; ++j) {
+          if (!box.meets(noding::Box::of(points[j], points[j + 1]))) continue;
+          if (!in_conflict(points[i], points[i + 1], points[j], points[j + 1])) continue;
+          set(i);
+          set(j);
+        }
+      }
+    }
+  });
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t e = 0; e < conflict.size(); ++e)
+    if (conflict[e]) found.push_back(s.from[e]);
+  return found;
+}
+
+/// Gives the trace vertices after `vertex` back, up to the next that stays.
+void restore_after(Rings& rings, std::uint32_t vertex) {
+  const auto ring = std::upper_bound(rings.ends.begin(), rings.ends.end(), vertex) - rings.ends.begin();
+  const std::uint32_t begin = rings.begin(static_cast<std::size_t>(ring)), end = rings.ends[ring];
+  for (std::uint32_t v = vertex;;) {
+    v = v + 1 == end ? begin : v + 1;
+    if (!(rings.flags[v] & trace_vertex)) return;
+    rings.flags[v] &= static_cast<std::uint8_t>(~trace_vertex);
+  }
+}
+
+/// Drops the vertices for which `drop` says so, ring by ring.
+template <class Drop>
+Rings without(const Rings& rings, const Drop& drop) {
+  Rings result;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
+      if (drop(r, v)) continue;
+      result.points.push_back(rings.points[v]);
+      result.flags.push_back(rings.flags[v]);
+    }
+    result.ends.push_back(static_cast<std::uint32_t>(result.points.size()));
+  }
+  return result;
+}
+
+}  // namespace
+
+Rings remove_traces(Rings rings, CollinearVertices collinear) {
+  const auto is_trace = [](std::uint8_t f) { return (f & trace_vertex) != 0; };
+  while (std::any_of(rings.flags.begin(), rings.flags.end(), is_trace)) {
+    const std::vector<std::uint32_t> conflicts = find_conflicts(straighten(rings));
+    if (conflicts.empty()) {
+      rings = without(rings, [&](std::size_t, std::uint32_t v) { return is_trace(rings.flags[v]); });
+      break;
+    }
+    for (const std::uint32_t vertex : conflicts) restore_after(rings, vertex);
+  }
+  if (collinear == CollinearVertices::drop) {
+    // Collinear with both neighbours is collinear with the vertices that stay on either side.
+    rings = without(rings, [&](std::size_t r, std::uint32_t v) {
+      const std::uint32_t begin = rings.begin(r), last = rings.ends[r] - 1;
+      const Point& before = rings.points[v == begin ? last : v - 1];
+      const Point& after = rings.points[v == last ? begin : v + 1];
+      return !(rings.flags[v] & touch_vertex) && orientation(before, rings.points[v], after) == 0;
+    });
+  }
+  return rings;
+}
+
+}  // namespace oblast

@@ -1,0 +1,20 @@
+#include "overlay/select.h"
+
+namespace oblast {
+
+Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
+                 const Options& options) {
+  const auto in_result = [&](Winding w) {
+    return admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b));
+  };
+  Selection selection(graph.chains.size(), none);
+  for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
+    if (!graph.is_live(c)) continue;
+    const bool right_side = in_result(right[c]), left_side = in_result(right[c] + graph.chains[c].change);
+    if (left_side == right_side) continue;
+    selection[c] = left_side ? forward(c) : opposite(forward(c));
+  }
+  return selection;
+}
+
+}  // namespace oblast

@@ -1,0 +1,53 @@
+// Stage 4: which chains belong to the result, by the truth table of the operation.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <vector>
+
+#include "overlay/chain_graph.h"
+
+namespace oblast {
+
+/// A chain of the result as the descriptor that has the result on its left, or `none`.
+using Selection = std::vector<Descriptor>;
+
+/// Inside or outside of one operand, from its winding number.
+constexpr bool is_inside(const FillRule& rule, std::int32_t winding) {
+  switch (rule.kind) {
+    case FillRule::Kind::polygons:
+      return winding > 0;
+    case FillRule::Kind::at_least:
+      return winding >= rule.depth;
+    case FillRule::Kind::even_odd:
+      return (winding & 1) != 0;
+    case FillRule::Kind::nonzero:
+      return winding != 0;
+    case FillRule::Kind::positive:
+      return winding > 0;
+    case FillRule::Kind::negative:
+      return winding < 0;
+  }
+  return false;
+}
+
+/// The truth table over (inside A, inside B).
+constexpr bool admits(Operation operation, bool in_a, bool in_b) {
+  switch (operation) {
+    case Operation::intersection:
+      return in_a && in_b;
+    case Operation::unite:
+      return in_a || in_b;
+    case Operation::difference:
+      return in_a && !in_b;
+    case Operation::symmetric_difference:
+      return in_a != in_b;
+  }
+  return false;
+}
+
+/// A chain belongs to the result when just one of its sides does. By chain; none for chains not live.
+Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
+                 const Options& options);
+
+}  // namespace oblast

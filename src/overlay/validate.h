@@ -1,0 +1,14 @@
+// Refusing bad arrays and bad coordinates, with the place.
+#pragma once
+
+#include <oblast/error.h>
+#include <oblast/region_set.h>
+
+#include <cstddef>
+
+namespace oblast {
+
+/// Throws Error: bad_offsets, too_large, not_finite, out_of_domain. Cost: linear.
+void validate(const RegionView& operand, std::size_t operand_index);
+
+}  // namespace oblast
