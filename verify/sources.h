@@ -1,0 +1,52 @@
+// The input edges that a result is made of: exact questions of distance and origin.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <vector>
+
+#include "verify/rational.h"
+
+namespace oblast::verify {
+
+struct InputEdge {
+  Point from;
+  Point to;
+};
+
+/// All edges of both operands, without those of length zero.
+class Sources {
+ public:
+  Sources(const RegionView& a, const RegionView& b, double bound_ulps);
+
+  const std::vector<InputEdge>& edges() const { return edges_; }
+
+  /// The distance of the bound, in coordinate units; 0 without edges.
+  double bound() const { return bound_; }
+  double unit() const { return unit_; }
+
+  bool is_vertex(const Point& p) const;
+  bool is_rounded_intersection(const Point& p) const;
+
+  /// Whether p lies within the bound of an edge.
+  bool near(const RationalPoint& p, const InputEdge& edge) const;
+  bool near_any(const RationalPoint& p) const;
+
+  /// Edges (by index) within the bound of both points, hence of all between them.
+  std::vector<std::size_t> near_both(const Point& p, const Point& q) const;
+
+  /// Distance from p to the nearest edge, in units of the last place of the largest coordinate; 0 without edges.
+  double displacement_ulps(const Point& p) const;
+
+  /// True when every edge at vertex p coincides with another input edge, so that they may have cancelled.
+  bool may_have_cancelled(const Point& p) const;
+
+ private:
+  std::vector<InputEdge> edges_;
+  std::vector<Point> vertices_;  // sorted
+  double unit_ = 0;              // unit in the last place of the largest coordinate
+  double bound_ = 0;
+  Rational squared_bound_;
+};
+
+}  // namespace oblast::verify
