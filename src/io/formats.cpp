@@ -1,0 +1,65 @@
+// The list of formats; see formats.h.
+#include "io/formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace oblast::io {
+
+namespace {
+
+constexpr Format known[] = {
+    {".shp", {"ESRI Shapefile"}, "ESRI Shapefile", true, false},
+    {".gpkg", {"GPKG"}, "GPKG", true, false},
+    {".geojson", {"GeoJSON", "TopoJSON", "GeoJSONSeq", "ESRIJSON"}, nullptr, true, false},
+    {".fgb", {"FlatGeobuf"}, "FlatGeobuf", true, false},
+    {".wkt", {}, nullptr, true, false},
+    {".json", {"GeoJSON", "TopoJSON", "ESRIJSON", "GeoJSONSeq"}, nullptr, true, true},
+    {".topojson", {"TopoJSON", "GeoJSON"}, nullptr, false, false},
+    {".geojsonl", {"GeoJSONSeq", "GeoJSON"}, nullptr, false, false},
+    {".geojsons", {"GeoJSONSeq", "GeoJSON"}, nullptr, false, false},
+    {".kml", {"KML", "LIBKML"}, nullptr, false, false},
+    {".gml", {"GML"}, nullptr, false, false},
+    {".tab", {"MapInfo File"}, nullptr, false, true},
+    {".mif", {"MapInfo File"}, nullptr, false, false},
+};
+
+template <typename Keep>
+std::string list(Keep keep) {
+  std::string text;
+  for (const Format& format : known) {
+    if (!keep(format)) continue;
+    if (!text.empty()) text += ' ';
+    text += format.extension;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return known; }
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+const Format* format_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  const auto* found = std::find_if(std::begin(known), std::end(known),
+                                   [&](const Format& format) { return format.extension == extension; });
+  return found == std::end(known) ? nullptr : found;
+}
+
+std::string readable_extensions() {
+  return list([](const Format&) { return true; });
+}
+
+std::string writable_extensions() {
+  return list([](const Format& format) { return format.writable; });
+}
+
+}  // namespace oblast::io

@@ -1,0 +1,179 @@
+// Reading one file with GDAL: layers, features, geometries, in the file's order.
+//
+// Shapefiles. A record is a list of rings without a word on which is whose hole; ESRI's description
+// gives outer rings clockwise, holes anticlockwise, and outer rings of one record may not overlap. So
+// a record's region is the even-odd of its rings, whatever their grouping. GDAL would group them
+// into polygons by direction and containment, which is quadratic at worst and a guess where a
+// writer got the directions wrong. We tell it to leave the rings alone and take each record as one polygon.
+#include "io/gdal_reader.h"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <optional>
+
+#include "io/crs.h"
+#include "io/flatgeobuf_order.h"
+#include "io/formats.h"
+#include "io/gdal_session.h"
+#include "io/layer_builder.h"
+#include "io/shapefile_check.h"
+
+namespace oblast::io {
+
+namespace {
+
+void add_rings(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<Point>& scratch) {
+  for (const OGRLinearRing* ring : polygon) {
+    scratch.resize(ring->getNumPoints());
+    if (!scratch.empty()) ring->getPoints(&scratch[0].x, sizeof(Point), &scratch[0].y, sizeof(Point));
+    builder.add_ring(scratch);
+  }
+}
+
+void add_polygon(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<Point>& scratch) {
+  builder.begin_polygon();
+  add_rings(polygon, builder, scratch);
+  builder.end_polygon();
+}
+
+[[noreturn]] void refuse_type(const OGRGeometry& geometry, const LayerBuilder& builder) {
+  const std::string type = geometry.getGeometryName();
+  if (OGR_GT_IsNonLinear(geometry.getGeometryType())) {
+    builder.refuse(type + " is a curve type: only straight edges are read; convert it to POLYGON first");
+  }
+  builder.refuse(type + " is not a polygon of the plane");
+}
+
+// GDAL's readers nest collections at most a few dozen deep.
+void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
+  switch (wkbFlatten(geometry.getGeometryType())) {
+    case wkbPolygon:
+      return add_polygon(*geometry.toPolygon(), builder, scratch);
+    case wkbMultiPolygon:
+      for (const OGRPolygon* polygon : geometry.toMultiPolygon()) add_polygon(*polygon, builder, scratch);
+      return;
+    case wkbGeometryCollection:
+      for (const OGRGeometry* member : geometry.toGeometryCollection()) add_geometry(*member, builder, scratch);
+      return;
+    case wkbLineString:
+    case wkbMultiLineString:
+      return builder.line(geometry.getGeometryName());
+    case wkbPoint:
+    case wkbMultiPoint:
+      return builder.point(geometry.getGeometryName());
+    default:
+      refuse_type(geometry, builder);
+  }
+}
+
+// A shapefile's record: all its rings are one polygon (see above).
+void add_record(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
+  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+  if (type != wkbMultiPolygon && type != wkbGeometryCollection) return add_geometry(geometry, builder, scratch);
+  builder.begin_polygon();
+  for (const OGRGeometry* member : *geometry.toGeometryCollection()) {
+    if (wkbFlatten(member->getGeometryType()) != wkbPolygon) refuse_type(*member, builder);
+    add_rings(*member->toPolygon(), builder, scratch);
+  }
+  builder.end_polygon();
+}
+
+void ignore_attributes(OGRLayer& layer, const std::string& except) {
+  if (!layer.TestCapability(OLCIgnoreFields)) return;
+  std::vector<const char*> names;
+  const OGRFeatureDefn* definition = layer.GetLayerDefn();
+  for (int i = 0; i < definition->GetFieldCount(); ++i) {
+    const char* name = definition->GetFieldDefn(i)->GetNameRef();
+    if (name != except) names.push_back(name);
+  }
+  names.push_back("OGR_STYLE");
+  names.push_back(nullptr);
+  layer.SetIgnoredFields(names.data());
+}
+
+std::string crs_of(OGRLayer& layer, const std::string& path) {
+  const OGRSpatialReference* crs = layer.GetSpatialRef();
+  if (!crs) {
+    const std::string projection = lower_extension(path) == ".shp" ? find_sibling(path, ".prj") : "";
+    if (!projection.empty()) throw IoError(projection + " does not hold a coordinate system that GDAL understands");
+    return {};
+  }
+  // A GeoPackage without a coordinate system says so with a system of this name.
+  const char* crs_title = crs->GetName();
+  if (crs_title && std::string(crs_title).starts_with("Undefined ")) return {};
+  const char* const wkt2[] = {"FORMAT=WKT2_2019", nullptr};
+  char* text = nullptr;
+  const OGRErr error = crs->exportToWkt(&text, wkt2);
+  const std::string result = error == OGRERR_NONE && text ? text : "";
+  CPLFree(text);
+  return result;
+}
+
+struct File {
+  std::string path;
+  std::optional<ShapefileHeader> shapefile;
+  bool flatgeobuf = false;
+};
+
+void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
+                Layer& layer) {
+  LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options.other);
+  std::vector<Point> scratch;
+  FlatgeobufOrder order(file.flatgeobuf ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
+  ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
+  const auto check = [&](const std::string& place) {
+    if (messages.failed()) throw IoError(place + ": cannot be read to the end: " + messages.text(""));
+  };
+
+  while (const std::unique_ptr<OGRFeature> feature{source.GetNextFeature()}) {
+    builder.begin_feature(feature->GetFID());
+    check(builder.where());
+    const OGRGeometry* geometry = feature->GetGeometryRef();
+    if (!geometry) {
+      builder.null_geometry();
+    } else {
+      if (geometry->Is3D()) builder.with_z();
+      if (geometry->IsMeasured()) builder.with_m();
+      file.shapefile ? add_record(*geometry, builder, scratch) : add_geometry(*geometry, builder, scratch);
+    }
+    builder.end_feature();
+    order.add(*feature);
+  }
+  check(layer.files.back());
+  order.restore();
+}
+
+}  // namespace
+
+Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
+  register_gdal_drivers();
+  GdalMessages messages;
+  // Listing the folder again for each of its thousands of files would be quadratic.
+  const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
+  const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
+  const ThreadOption no_repair("SHAPE_RESTORE_SHX", "NO");
+  const ThreadOption no_size_limit("OGR_GEOJSON_MAX_OBJ_SIZE", "0");
+
+  const Format* format = format_of(path);
+  File file{path, {}, lower_extension(path) == ".fgb"};
+  if (lower_extension(path) == ".shp") file.shapefile = check_shapefile(path);
+  const std::unique_ptr<GDALDataset> dataset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                        format && format->drivers[0] ? format->drivers : nullptr));
+  if (!dataset) throw IoError(path + " is not a vector file that can be read: " + messages.text("no driver knows it"));
+
+  Layer layer;
+  CommonCrs crs;
+  for (OGRLayer* source : dataset->GetLayers()) {
+    if (source->GetGeomType() == wkbNone) continue;  // a table of attributes
+    layer.files.push_back(dataset->GetLayerCount() == 1 ? path : path + " (layer " + source->GetName() + ")");
+    crs.add(crs_of(*source, path), layer.files.back());
+    read_layer(*source, file, messages, options, layer);
+  }
+  if (layer.files.empty()) throw IoError(path + " holds no layer with geometry");
+  layer.crs_wkt = crs.wkt();
+  return layer;
+}
+
+}  // namespace oblast::io

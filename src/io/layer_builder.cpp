@@ -1,0 +1,113 @@
+// Rings into flat arrays; see layer_builder.h.
+#include "io/layer_builder.h"
+
+#include <fmt/format.h>
+#include <oblast/domain.h>
+
+#include <cmath>
+#include <limits>
+
+namespace oblast::io {
+
+namespace {
+
+// The library's indices are 32-bit and it refuses more edges than this in one call (error.h).
+constexpr std::size_t most_vertices = std::numeric_limits<std::int32_t>::max();
+
+std::string fault_of(double coordinate) {
+  if (std::isnan(coordinate)) return "is not a number (NaN)";
+  if (std::isinf(coordinate)) return "is infinite";
+  return fmt::format("is {}, outside the domain (0, or {:.1e} to {:.1e} in magnitude)", coordinate, domain_smallest,
+                     domain_largest);
+}
+
+}  // namespace
+
+void LayerBuilder::begin_feature(std::int64_t id, std::string extra) {
+  feature_ = id;
+  extra_ = std::move(extra);
+  first_polygon_ = static_cast<std::uint32_t>(layer_.regions.polygon_ends.size());
+  part_ = 0;
+  has_z_ = has_m_ = other_seen_ = false;
+}
+
+void LayerBuilder::begin_polygon() {
+  ++part_;
+  ring_ = 0;
+}
+
+void LayerBuilder::add_ring(std::span<const Point> ring) {
+  ++ring_;
+  if (ring.empty()) return;
+  check(ring);
+  auto& points = layer_.regions.points;
+  if (points.size() + ring.size() > most_vertices) refuse("more than 2^31 - 1 vertices in one operand");
+
+  if (ring.size() > 1) {
+    if (ring.front() == ring.back()) {
+      ring = ring.first(ring.size() - 1);
+    } else {
+      ++layer_.report.unclosed_contours;
+    }
+  }
+  const std::size_t begin = points.size();
+  points.push_back(ring.front());
+  for (const Point& p : ring.subspan(1)) {
+    if (p != points.back()) points.push_back(p);
+  }
+  while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
+  layer_.report.repeated_vertices += ring.size() - (points.size() - begin);
+  layer_.regions.contour_ends.push_back(static_cast<std::uint32_t>(points.size()));
+}
+
+void LayerBuilder::end_polygon() {
+  auto& regions = layer_.regions;
+  const std::uint32_t before = regions.polygon_ends.empty() ? 0 : regions.polygon_ends.back();
+  const auto contours = static_cast<std::uint32_t>(regions.contour_ends.size());
+  if (contours > before) regions.polygon_ends.push_back(contours);
+}
+
+void LayerBuilder::end_feature() {
+  auto& report = layer_.report;
+  ++report.features;
+  if (has_z_) ++report.with_z;
+  if (has_m_) ++report.with_m;
+  if (layer_.regions.polygon_ends.size() > first_polygon_) {
+    layer_.features.push_back({first_polygon_, file_, feature_});
+  } else if (!other_seen_) {
+    ++report.empty_geometries;
+  }
+}
+
+void LayerBuilder::null_geometry() {
+  ++layer_.report.null_geometries;
+  other_seen_ = true;
+}
+
+void LayerBuilder::line(const std::string& type) { pass_over(type, layer_.report.lines); }
+void LayerBuilder::point(const std::string& type) { pass_over(type, layer_.report.points); }
+
+void LayerBuilder::pass_over(const std::string& type, std::uint64_t& count) {
+  if (other_ == OtherGeometry::refuse) refuse("is a " + type + ", not a polygon");
+  ++count;
+  other_seen_ = true;
+}
+
+void LayerBuilder::refuse(const std::string& reason) const { throw IoError(where() + ": " + reason); }
+
+std::string LayerBuilder::where() const {
+  std::string text = fmt::format("{}, feature {}", layer_.files[file_], feature_);
+  if (!extra_.empty()) text += " (" + extra_ + ")";
+  return text;
+}
+
+void LayerBuilder::check(std::span<const Point> ring) const {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (in_domain(ring[i].x) && in_domain(ring[i].y)) continue;
+    const bool at_x = !in_domain(ring[i].x);
+    throw IoError(fmt::format("{}, part {}, ring {}, vertex {}: {} {}", where(), part_, ring_, i, at_x ? "x" : "y",
+                              fault_of(at_x ? ring[i].x : ring[i].y)));
+  }
+}
+
+}  // namespace oblast::io

@@ -1,0 +1,57 @@
+// Gathers features, polygons and rings of one file into a Layer, checking every coordinate on the way.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/layer.h"
+#include "io/read.h"
+
+namespace oblast::io {
+
+/// Use: begin_feature, then begin_polygon, add_ring..., end_polygon any number of times, end_feature.
+class LayerBuilder {
+ public:
+  /// `file` is an index into layer.files.
+  LayerBuilder(Layer& layer, std::uint32_t file, OtherGeometry other) : layer_(layer), file_(file), other_(other) {}
+
+  /// `extra` is put into messages after the feature ("line 3"), if not empty.
+  void begin_feature(std::int64_t id, std::string extra = {});
+  void begin_polygon();
+  /// A ring as it is in the file, closing point included or not. Throws IoError for a coordinate that
+  /// is not finite or outside the domain.
+  void add_ring(std::span<const Point> ring);
+  void end_polygon();
+  void end_feature();
+
+  void null_geometry();
+  void with_z() { has_z_ = true; }
+  void with_m() { has_m_ = true; }
+  /// A line or point among the polygons: counted, or refused when told so.
+  void line(const std::string& type);
+  void point(const std::string& type);
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+  /// "fires/0412.shp, feature 17"
+  std::string where() const;
+
+ private:
+  void check(std::span<const Point> ring) const;
+  void pass_over(const std::string& type, std::uint64_t& count);
+
+  Layer& layer_;
+  std::uint32_t file_;
+  OtherGeometry other_;
+  std::int64_t feature_ = 0;
+  std::string extra_;
+  std::uint32_t first_polygon_ = 0;  // of the feature
+  std::uint64_t part_ = 0;           // counted from 1, empty ones too, for messages
+  std::uint64_t ring_ = 0;
+  bool has_z_ = false;
+  bool has_m_ = false;
+  bool other_seen_ = false;
+};
+
+}  // namespace oblast::io

@@ -1,0 +1,84 @@
+// The headers of a shapefile (ESRI Shapefile Technical Description, 1998, pages 3 and 4 and 23).
+#include "io/shapefile_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "io/layer.h"
+
+namespace oblast::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t header_bytes = 100;
+constexpr std::uint64_t index_record_bytes = 8;
+constexpr std::uint32_t file_code = 9994;
+constexpr std::int32_t multipatch = 31;
+
+using Header = std::array<unsigned char, header_bytes>;
+
+std::uint32_t big_endian(const Header& header, std::size_t at) {
+  return std::uint32_t{header[at]} << 24 | std::uint32_t{header[at + 1]} << 16 | std::uint32_t{header[at + 2]} << 8 |
+         header[at + 3];
+}
+
+std::int32_t little_endian(const Header& header, std::size_t at) {
+  return static_cast<std::int32_t>(std::uint32_t{header[at + 3]} << 24 | std::uint32_t{header[at + 2]} << 16 |
+                                   std::uint32_t{header[at + 1]} << 8 | header[at]);
+}
+
+// Reads the header of a .shp or .shx and returns it with the length it declares, in bytes.
+std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw IoError("cannot open " + path);
+  Header header{};
+  file.read(reinterpret_cast<char*>(header.data()), header.size());
+  const auto got = static_cast<std::uint64_t>(file.gcount());
+  if (got < header_bytes)
+    throw IoError(fmt::format("{} is truncated: {} bytes, less than a shapefile's header", path, got));
+  if (big_endian(header, 0) != file_code) throw IoError(path + " is not a shapefile: its header has another file code");
+  const std::uint64_t declared = 2 * std::uint64_t{big_endian(header, 24)};  // given in 16-bit words
+  const std::uint64_t size = fs::file_size(path);
+  if (size < declared) {
+    throw IoError(fmt::format("{} is truncated: its header declares {} bytes, the file has {}", path, declared, size));
+  }
+  return {header, declared};
+}
+
+}  // namespace
+
+std::string find_sibling(const std::string& path, const std::string& extension) {
+  std::string upper = extension;
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (const std::string& candidate : {extension, upper}) {
+    const std::string sibling = fs::path(path).replace_extension(candidate).string();
+    std::error_code error;
+    if (fs::exists(sibling, error)) return sibling;
+  }
+  return {};
+}
+
+ShapefileHeader check_shapefile(const std::string& path) {
+  const auto [header, length] = checked_header(path);
+  const std::string index = find_sibling(path, ".shx");
+  if (index.empty()) throw IoError(path + " has no .shx file beside it: the shapefile is incomplete");
+  const auto [index_header, index_length] = checked_header(index);
+
+  ShapefileHeader result;
+  result.shape_type = little_endian(header, 32);
+  result.records = index_length > header_bytes ? (index_length - header_bytes) / index_record_bytes : 0;
+  if (result.shape_type == multipatch) {
+    throw IoError(path + " holds MULTIPATCH surfaces, not polygons of the plane");
+  }
+  return result;
+}
+
+}  // namespace oblast::io

@@ -1,0 +1,266 @@
+// Parsing Well-Known Text (OGC 06-103r4, section 7), by a single pass over the characters.
+//
+// Admitted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (passed over),
+// semicolons after a geometry, and lower case.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "io/layer_builder.h"
+#include "io/read.h"
+
+namespace oblast::io {
+
+namespace {
+
+class WktParser {
+ public:
+  WktParser(const std::string& text, const std::string& name, Layer& layer, const ReadOptions& options)
+      : begin_(text.data()),
+        at_(begin_),
+        end_(begin_ + text.size()),
+        line_start_(begin_),
+        name_(name),
+        builder_(layer, 0, options.other) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
+  }
+
+  void parse() {
+    for (std::int64_t feature = 0; skip_separators(); ++feature) {
+      line_ += static_cast<std::size_t>(std::count(line_start_, at_, '\n'));
+      line_start_ = at_;
+      builder_.begin_feature(feature, fmt::format("line {}", line_));
+      geometry();
+      builder_.end_feature();
+    }
+  }
+
+ private:
+  struct Type {
+    std::string name;  // upper case, without Z and M
+    bool z = false;
+    bool m = false;
+  };
+
+  // One geometry with all its members; the nesting of collections is a counter, not a recursion.
+  void geometry() {
+    std::size_t depth = 0;
+    for (;;) {
+      const Type type = read_type();
+      if (type.z) builder_.with_z();
+      if (type.m) builder_.with_m();
+      if (type.name == "GEOMETRYCOLLECTION") {
+        if (!read_empty()) {
+          expect('(');
+          ++depth;
+          continue;
+        }
+      } else {
+        simple_geometry(type);
+      }
+      while (depth > 0 && accept(')')) --depth;
+      if (depth == 0) return;
+      expect(',');
+    }
+  }
+
+  void simple_geometry(const Type& type) {
+    if (type.name == "POLYGON") {
+      if (!read_empty()) polygon(type);
+    } else if (type.name == "MULTIPOLYGON") {
+      if (read_empty()) return;
+      expect('(');
+      do {
+        if (!read_empty()) polygon(type);
+      } while (accept(','));
+      expect(')');
+    } else if (type.name == "LINESTRING" || type.name == "MULTILINESTRING") {
+      builder_.line(type.name);
+      skip_body();
+    } else if (type.name == "POINT" || type.name == "MULTIPOINT") {
+      builder_.point(type.name);
+      skip_body();
+    } else if (is_curve(type.name)) {
+      builder_.refuse(type.name + " is a curve type: only straight edges are read; convert it to POLYGON first");
+    } else if (type.name == "TIN" || type.name == "TRIANGLE" || type.name == "POLYHEDRALSURFACE") {
+      builder_.refuse(type.name + " is not a polygon of the plane");
+    } else {
+      fail(type.name.empty() ? "expected the name of a geometry type" : "unknown geometry type " + type.name);
+    }
+  }
+
+  static bool is_curve(const std::string& name) {
+    constexpr const char* curves[] = {"CIRCULARSTRING", "COMPOUNDCURVE", "CURVEPOLYGON", "MULTICURVE",
+                                      "MULTISURFACE",   "CURVE",         "SURFACE"};
+    return std::find(std::begin(curves), std::end(curves), name) != std::end(curves);
+  }
+
+  void polygon(const Type& type) {
+    builder_.begin_polygon();
+    expect('(');
+    do {
+      ring_.clear();
+      if (!read_empty()) ring(type);
+      builder_.add_ring(ring_);
+    } while (accept(','));
+    expect(')');
+    builder_.end_polygon();
+  }
+
+  void ring(const Type& type) {
+    expect('(');
+    do {
+      const double x = number();
+      const double y = number();
+      ring_.push_back({x, y});
+      int more = 0;
+      for (; !next_is(',') && !next_is(')'); ++more) {
+        if (more == 2) fail("a vertex has more than four numbers");
+        number();
+      }
+      if (more == 2 || (more == 1 && !type.m)) builder_.with_z();
+      if (more == 2 || (more == 1 && type.m)) builder_.with_m();
+    } while (accept(','));
+    expect(')');
+  }
+
+  double number() {
+    skip_space();
+    const char* from = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
+    double value = 0;
+    const auto [after, error] = std::from_chars(from, end_, value);
+    if (error == std::errc::invalid_argument) fail("expected a number");
+    if (error == std::errc::result_out_of_range) fail("the number is outside the range of a double");
+    if (after != end_ && !is_space(*after) && *after != ',' && *after != ')') fail("expected a number");
+    at_ = after;
+    return value;
+  }
+
+  // "POLYGON", "POLYGON ZM", "POLYGONZ"
+  Type read_type() {
+    skip_space();
+    const char* const start = at_;
+    Type type;
+    type.name = word();
+    std::string dimension;
+    if (type.name != "EMPTY") {
+      const char* const back = at_;
+      dimension = word();
+      if (dimension != "Z" && dimension != "M" && dimension != "ZM") {
+        dimension.clear();
+        at_ = back;
+      }
+    }
+    if (dimension.empty()) {
+      for (const char* suffix : {"ZM", "Z", "M"}) {
+        if (type.name.ends_with(suffix)) {
+          dimension = suffix;
+          type.name.resize(type.name.size() - dimension.size());
+          break;
+        }
+      }
+    }
+    if (type.name.empty()) {
+      at_ = start;
+      fail("expected the name of a geometry type");
+    }
+    type.z = dimension.find('Z') != std::string::npos;
+    type.m = dimension.find('M') != std::string::npos;
+    return type;
+  }
+
+  std::string word() {
+    skip_space();
+    std::string result;
+    while (at_ != end_ && std::isalpha(static_cast<unsigned char>(*at_))) {
+      result += static_cast<char>(std::toupper(static_cast<unsigned char>(*at_++)));
+    }
+    return result;
+  }
+
+  bool read_empty() {
+    const char* const back = at_;
+    if (word() == "EMPTY") return true;
+    at_ = back;
+    return false;
+  }
+
+  // The body of a geometry that is passed over: EMPTY or balanced parentheses.
+  void skip_body() {
+    if (read_empty()) return;
+    expect('(');
+    for (std::size_t depth = 1; depth > 0; ++at_) {
+      if (at_ == end_) fail("a parenthesis is not closed");
+      if (*at_ == '(') ++depth;
+      if (*at_ == ')') --depth;
+    }
+  }
+
+  // To the next geometry; false at the end of the text.
+  bool skip_separators() {
+    for (;;) {
+      skip_space();
+      if (at_ == end_) return false;
+      if (*at_ == ';') {
+        ++at_;
+      } else if (end_ - at_ > 5 && std::string_view(at_, 5) == "SRID=") {
+        at_ = std::find(at_, end_, ';');
+      } else {
+        return true;
+      }
+    }
+  }
+
+  static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+  void skip_space() {
+    while (at_ != end_ && is_space(*at_)) ++at_;
+  }
+
+  bool next_is(char c) {
+    skip_space();
+    return at_ != end_ && *at_ == c;
+  }
+
+  bool accept(char c) {
+    if (!next_is(c)) return false;
+    ++at_;
+    return true;
+  }
+
+  void expect(char c) {
+    if (!accept(c)) fail(fmt::format("expected '{}'", c));
+  }
+
+  [[noreturn]] void fail(const std::string& what) {
+    skip_space();
+    const auto line = 1 + std::count(begin_, at_, '\n');
+    const char* start = at_;
+    while (start != begin_ && start[-1] != '\n') --start;
+    throw IoError(fmt::format("{}, line {}, column {}: {}{}", name_, line, at_ - start + 1, what,
+                              at_ == end_ ? ", found the end of the text" : ""));
+  }
+
+  const char* begin_;
+  const char* at_;
+  const char* end_;
+  const char* line_start_;
+  std::size_t line_ = 1;
+  const std::string& name_;
+  LayerBuilder builder_;
+  std::vector<Point> ring_;
+};
+
+}  // namespace
+
+Layer read_wkt(const std::string& text, const std::string& name, const ReadOptions& options) {
+  Layer layer;
+  layer.files.push_back(name);
+  WktParser(text, name, layer, options).parse();
+  return layer;
+}
+
+}  // namespace oblast::io

@@ -1,0 +1,102 @@
+// Writing all or nothing: check the call, write to the stage, rename.
+#include "io/write.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "io/formats.h"
+#include "io/gdal_writer.h"
+#include "io/geojson_writer.h"
+#include "io/staged_output.h"
+#include "io/write_text.h"
+
+namespace oblast::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const Format& writable_format(const std::string& path) {
+  const Format* format = format_of(path);
+  if (format && format->writable) return *format;
+  const std::string extension = lower_extension(path);
+  throw IoError("cannot write " + path + ": " +
+                (extension.empty() ? "its name has no extension to tell the format"
+                                   : extension + " is not a format written here") +
+                " (known: " + writable_extensions() + ")");
+}
+
+// A shapefile's .shp names the whole set; GDAL gives its files lower-case extensions.
+std::string target_of(const std::string& path) {
+  return lower_extension(path) == ".shp" ? fs::path(path).replace_extension(".shp").string() : path;
+}
+
+OutputFiles files_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".shp") {
+    return {{".dbf", ".cpg", ".prj", ".shx", ""}, {}, {".qix", ".sbn", ".sbx", ".qpj"}};
+  }
+  // A journal left by an older database would be applied to the new one.
+  if (extension == ".gpkg") return {{""}, {"-journal", "-wal", "-shm"}, {"-journal", "-wal", "-shm"}};
+  if (extension == ".fgb") return {{""}, {"_temp.fgb"}, {}};
+  return {};
+}
+
+void refuse_existing(const std::string& path) {
+  for (const std::string& part : files_of(path).parts) {
+    const std::string file = part.empty() ? path : fs::path(path).replace_extension(part).string();
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(file, error))) {
+      throw IoError(file + " exists already; it is replaced only when overwriting is asked for");
+    }
+  }
+}
+
+bool is_geojson(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".geojson" || extension == ".json";
+}
+
+}  // namespace
+
+void check_writable(const std::string& path_given, const WriteOptions& options) {
+  if (path_given == "-") return;
+  writable_format(path_given);
+  const std::string path = target_of(path_given);
+  const fs::path parent = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::exists(parent, error)) throw IoError("cannot write " + path + ": there is no folder " + parent.string());
+  if (!fs::is_directory(parent, error))
+    throw IoError("cannot write " + path + ": " + parent.string() + " is not a folder");
+  if (fs::is_directory(path, error)) throw IoError("cannot write " + path + ": it is a folder");
+  if (options.existing == Existing::refuse) refuse_existing(path);
+  if (::access(parent.c_str(), W_OK | X_OK) != 0) {
+    throw IoError("cannot write into " + parent.string() + ": " + std::strerror(errno));
+  }
+  if (is_geojson(path)) geojson_crs_code(options.crs_wkt);
+}
+
+void write(const std::string& path_given, const RegionView& regions, const WriteOptions& options) {
+  check_writable(path_given, options);
+  if (path_given == "-") {
+    write_text_to_standard_output(to_wkt(regions) + "\n");
+    return;
+  }
+  const std::string path = target_of(path_given);
+  StagedOutput stage(path, files_of(path));
+  if (const char* driver = writable_format(path).writer) {
+    write_with_gdal(stage.path(), driver, regions, options.crs_wkt, path);
+  } else if (is_geojson(path)) {
+    write_text(stage.path(), to_geojson(regions, geojson_crs_code(options.crs_wkt)), path);
+  } else {
+    write_text(stage.path(), to_wkt(regions) + "\n", path);
+  }
+  // Someone else may have put a file there while we wrote.
+  if (options.existing == Existing::refuse) refuse_existing(path);
+  stage.commit();
+}
+
+}  // namespace oblast::io
