@@ -1,0 +1,33 @@
+// What is tuned in the fires generator: by month, so that the union comes out as the paper's Table 3.
+#pragma once
+
+namespace oblast::app {
+
+struct FirePlan {
+  int month;
+  double long_share;    ///< share of the contours that belongs to fires seen tens of times
+  double radius_km;     ///< largest radius of such a fire
+  double density;       ///< chance that a pixel of a burning disc is detected
+  double merged;        ///< chance that pixels side by side in such a fire become one contour
+  double patch_km;      ///< largest radius of a patch: a fire seen once to three times, its pixels merged
+  double patch_density; ///< as `density`, for patches
+  double seen_twice;    ///< share of the small fires that is seen twice
+  double seen_thrice;   ///< ... three times
+  double flare_shares[2];  ///< of the visible passes: how often the two brightest gas flares are seen
+};
+
+inline constexpr FirePlan fire_plans[] = {
+    {4, 0.23, 4.0, 0.6, 0.1, 6, 0.65, 0.15, 0.04, {0.07, 0.28}},
+    {5, 0.50, 5.0, 0.6, 0.1, 6, 0.65, 0.2, 0.12, {0.33, 0.10}},
+    {6, 0.24, 5.0, 0.6, 0.1, 11, 0.62, 0.13, 0.26, {0.38, 0.10}},
+    {7, 0.40, 4.0, 0.5, 0, 1, 0.5, 0.22, 0.15, {0.7, 0.2}},
+    {9, 0.26, 4.0, 0.5, 0, 1, 0.5, 0.17, 0.14, {0.1, 0.75}},
+    {10, 0.20, 4, 0.5, 0, 1, 0.5, 0.12, 0.11, {0.1, 0.5}},
+};
+
+inline constexpr double stray_pixels_dropped = 0.35;  ///< of the lone pixels beside a merged patch
+inline constexpr int flare_count = 160;         ///< gas flares, mostly in Western Siberia
+inline constexpr int fire_region_count = 60;    ///< where fires gather, the same in every month
+inline constexpr double fire_region_km = 450;   ///< how far they spread there
+
+}  // namespace oblast::app
