@@ -4,19 +4,24 @@
 // gives outer rings clockwise, holes anticlockwise, and outer rings of one record may not overlap. So
 // a record's region is the even-odd of its rings, whatever their grouping. GDAL would group them
 // into polygons by direction and containment, which is quadratic at worst and a guess where a
-// writer got the directions wrong. We tell it to leave the rings alone and take each record as one polygon.
+// writer got the directions wrong. We tell it to leave the rings alone and take each record as one polygon. Its
+// rings are turned round, so that outer ones run anticlockwise as in all other formats.
 #include "io/gdal_reader.h"
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <optional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string_view>
 
 #include "io/crs.h"
 #include "io/flatgeobuf_order.h"
 #include "io/formats.h"
 #include "io/gdal_session.h"
 #include "io/layer_builder.h"
+#include "io/paths.h"
 #include "io/shapefile_check.h"
 
 namespace oblast::io {
@@ -92,33 +97,50 @@ void ignore_attributes(OGRLayer& layer, const std::string& except) {
   layer.SetIgnoredFields(names.data());
 }
 
-std::string crs_of(OGRLayer& layer, const std::string& path) {
-  const OGRSpatialReference* crs = layer.GetSpatialRef();
-  if (!crs) {
-    const std::string projection = lower_extension(path) == ".shp" ? find_sibling(path, ".prj") : "";
-    if (!projection.empty()) throw IoError(projection + " does not hold a coordinate system that GDAL understands");
-    return {};
-  }
+std::string wkt_of(const OGRSpatialReference& crs) {
   // A GeoPackage without a coordinate system says so with a system of this name.
-  const char* crs_title = crs->GetName();
-  if (crs_title && std::string(crs_title).starts_with("Undefined ")) return {};
+  const char* title = crs.GetName();
+  if (title && std::string_view(title).starts_with("Undefined ")) return {};
   const char* const wkt2[] = {"FORMAT=WKT2_2019", nullptr};
   char* text = nullptr;
-  const OGRErr error = crs->exportToWkt(&text, wkt2);
+  const OGRErr error = crs.exportToWkt(&text, wkt2);
   const std::string result = error == OGRERR_NONE && text ? text : "";
   CPLFree(text);
   return result;
 }
 
+// GDAL compares a .prj with every system of PROJ's database, a tenth of a second for one that is not
+// there. The files of a folder mostly share one text, so what it means is found out once.
+std::string shapefile_crs(OGRLayer& layer, const std::string& path) {
+  static std::mutex lock;
+  static std::map<std::string, std::string> wkt_of_prj;
+
+  const std::string file = find_sibling(path, ".prj");
+  const std::string text = file.empty() ? "" : read_text(file);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return {};
+  const std::lock_guard hold(lock);
+  const auto known = wkt_of_prj.find(text);
+  if (known != wkt_of_prj.end()) return known->second;
+  const OGRSpatialReference* crs = layer.GetSpatialRef();
+  if (!crs) throw IoError(file + " does not hold a coordinate system that GDAL understands");
+  return wkt_of_prj[text] = wkt_of(*crs);
+}
+
+std::string crs_of(OGRLayer& layer, const std::string& path) {
+  if (lower_extension(path) == ".shp") return shapefile_crs(layer, path);
+  const OGRSpatialReference* crs = layer.GetSpatialRef();
+  return crs ? wkt_of(*crs) : "";
+}
+
 struct File {
-  std::string path;
-  std::optional<ShapefileHeader> shapefile;
+  bool shapefile = false;
   bool flatgeobuf = false;
 };
 
 void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
                 Layer& layer) {
   LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options.other);
+  if (file.shapefile) builder.turn_rings();
   std::vector<Point> scratch;
   FlatgeobufOrder order(file.flatgeobuf ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
   ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
@@ -156,8 +178,8 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
   const ThreadOption no_size_limit("OGR_GEOJSON_MAX_OBJ_SIZE", "0");
 
   const Format* format = format_of(path);
-  File file{path, {}, lower_extension(path) == ".fgb"};
-  if (lower_extension(path) == ".shp") file.shapefile = check_shapefile(path);
+  const File file{lower_extension(path) == ".shp", lower_extension(path) == ".fgb"};
+  if (file.shapefile) check_shapefile(path);
   const std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                         format && format->drivers[0] ? format->drivers : nullptr));
@@ -169,6 +191,7 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
     if (source->GetGeomType() == wkbNone) continue;  // a table of attributes
     layer.files.push_back(dataset->GetLayerCount() == 1 ? path : path + " (layer " + source->GetName() + ")");
     crs.add(crs_of(*source, path), layer.files.back());
+    messages.clear();  // what was said so far did not keep the file from being opened
     read_layer(*source, file, messages, options, layer);
   }
   if (layer.files.empty()) throw IoError(path + " holds no layer with geometry");

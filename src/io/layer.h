@@ -36,7 +36,8 @@ struct ReadReport {
   std::uint64_t repeated_vertices = 0;
 };
 
-/// One operand. Rings are as in the files: any direction, closing point removed.
+/// One operand. Rings are as in the files: any direction, closing point and repeated neighbours
+/// removed. Only a shapefile's rings are turned round, since its outer rings run clockwise.
 struct Layer {
   RegionSet regions;
   std::vector<FeatureRange> features;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/domain.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,7 @@ void LayerBuilder::add_ring(std::span<const Point> ring) {
     if (p != points.back()) points.push_back(p);
   }
   while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
+  if (turn_) std::reverse(points.begin() + static_cast<std::ptrdiff_t>(begin) + 1, points.end());
   layer_.report.repeated_vertices += ring.size() - (points.size() - begin);
   layer_.regions.contour_ends.push_back(static_cast<std::uint32_t>(points.size()));
 }

@@ -26,6 +26,10 @@ class LayerBuilder {
   void end_polygon();
   void end_feature();
 
+  /// From now on rings are turned round, their first vertex kept: outer rings of a shapefile run
+  /// clockwise, everywhere else anticlockwise.
+  void turn_rings() { turn_ = true; }
+
   void null_geometry();
   void with_z() { has_z_ = true; }
   void with_m() { has_m_ = true; }
@@ -52,6 +56,7 @@ class LayerBuilder {
   bool has_z_ = false;
   bool has_m_ = false;
   bool other_seen_ = false;
+  bool turn_ = false;
 };
 
 }  // namespace oblast::io

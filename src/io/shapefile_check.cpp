@@ -1,4 +1,5 @@
-// The headers of a shapefile (ESRI Shapefile Technical Description, 1998, pages 3 and 4 and 23).
+// The headers of a shapefile (ESRI Shapefile Technical Description, 1998, pages 3, 4 and 23) and of its
+// table (dBASE level 5).
 #include "io/shapefile_check.h"
 
 #include <fmt/format.h>
@@ -52,6 +53,27 @@ std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
   return {header, declared};
 }
 
+// The table must be whole and have as many records as the index: else a part of the set is older
+// than the rest, or was cut off, and nobody can tell which shapes are meant.
+void check_table(const std::string& path, const std::string& index, std::uint64_t shapes) {
+  constexpr std::size_t table_header_bytes = 32;
+  std::ifstream file(path, std::ios::binary);
+  Header header{};
+  file.read(reinterpret_cast<char*>(header.data()), table_header_bytes);
+  if (file.gcount() < static_cast<std::streamsize>(table_header_bytes)) throw IoError(path + " is truncated");
+  const auto records = static_cast<std::uint32_t>(little_endian(header, 4));
+  const auto lengths = static_cast<std::uint32_t>(little_endian(header, 8));  // two 16-bit numbers
+  const std::uint64_t declared = (lengths & 0xffff) + std::uint64_t{records} * (lengths >> 16);
+  const std::uint64_t size = fs::file_size(path);
+  if (size < declared) {
+    throw IoError(fmt::format("{} is truncated: its header declares {} bytes, the file has {}", path, declared, size));
+  }
+  if (records != shapes) {
+    throw IoError(
+        fmt::format("{} has {} records but {} has {}: the files do not belong together", path, records, index, shapes));
+  }
+}
+
 }  // namespace
 
 std::string find_sibling(const std::string& path, const std::string& extension) {
@@ -66,19 +88,18 @@ std::string find_sibling(const std::string& path, const std::string& extension) 
   return {};
 }
 
-ShapefileHeader check_shapefile(const std::string& path) {
+void check_shapefile(const std::string& path) {
   const auto [header, length] = checked_header(path);
   const std::string index = find_sibling(path, ".shx");
   if (index.empty()) throw IoError(path + " has no .shx file beside it: the shapefile is incomplete");
   const auto [index_header, index_length] = checked_header(index);
-
-  ShapefileHeader result;
-  result.shape_type = little_endian(header, 32);
-  result.records = index_length > header_bytes ? (index_length - header_bytes) / index_record_bytes : 0;
-  if (result.shape_type == multipatch) {
+  if (little_endian(header, 32) == multipatch) {
     throw IoError(path + " holds MULTIPATCH surfaces, not polygons of the plane");
   }
-  return result;
+  const std::string table = find_sibling(path, ".dbf");
+  if (!table.empty()) {
+    check_table(table, index, (std::max(index_length, header_bytes) - header_bytes) / index_record_bytes);
+  }
 }
 
 }  // namespace oblast::io

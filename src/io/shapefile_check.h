@@ -1,19 +1,14 @@
 // What GDAL lets pass in a broken shapefile and a person would want to know.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace oblast::io {
 
-struct ShapefileHeader {
-  std::uint64_t records = 0;  ///< by the index file
-  std::int32_t shape_type = 0;
-};
-
-/// Compares the sizes in the headers of `path` (.shp) and of the .shx beside it with the files' own
-/// sizes. Throws IoError for a truncated or missing file and for shape types that are no polygons of the plane.
-ShapefileHeader check_shapefile(const std::string& path);
+/// Compares the sizes that `path` (.shp) and the .shx and .dbf beside it declare with the files' own
+/// sizes and with each other. Throws IoError for a truncated file, a missing .shx, a .dbf with another
+/// number of records, and for shape types that are no polygons of the plane. A .dbf may be missing.
+void check_shapefile(const std::string& path);
 
 /// The file beside `path` with another extension, upper or lower case; empty when there is none.
 std::string find_sibling(const std::string& path, const std::string& extension);

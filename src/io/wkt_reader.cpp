@@ -1,6 +1,7 @@
 // Parsing Well-Known Text (OGC 06-103r4, section 7), by a single pass over the characters.
 //
-// Admitted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (passed over),
+// Admitted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (passed over: text
+// has no coordinate system here),
 // semicolons after a geometry, and lower case.
 #include <fmt/format.h>
 
@@ -88,7 +89,8 @@ class WktParser {
     } else if (type.name == "TIN" || type.name == "TRIANGLE" || type.name == "POLYHEDRALSURFACE") {
       builder_.refuse(type.name + " is not a polygon of the plane");
     } else {
-      fail(type.name.empty() ? "expected the name of a geometry type" : "unknown geometry type " + type.name);
+      at_ = type_start_;
+      fail("unknown geometry type " + type.name);
     }
   }
 
@@ -142,7 +144,7 @@ class WktParser {
   // "POLYGON", "POLYGON ZM", "POLYGONZ"
   Type read_type() {
     skip_space();
-    const char* const start = at_;
+    type_start_ = at_;
     Type type;
     type.name = word();
     std::string dimension;
@@ -164,7 +166,7 @@ class WktParser {
       }
     }
     if (type.name.empty()) {
-      at_ = start;
+      at_ = type_start_;
       fail("expected the name of a geometry type");
     }
     type.z = dimension.find('Z') != std::string::npos;
@@ -248,6 +250,7 @@ class WktParser {
   const char* at_;
   const char* end_;
   const char* line_start_;
+  const char* type_start_ = nullptr;
   std::size_t line_ = 1;
   const std::string& name_;
   LayerBuilder builder_;
