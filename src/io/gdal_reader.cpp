@@ -11,17 +11,14 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <map>
 #include <memory>
-#include <mutex>
-#include <string_view>
 
 #include "io/crs.h"
+#include "io/crs_reader.h"
 #include "io/flatgeobuf_order.h"
 #include "io/formats.h"
 #include "io/gdal_session.h"
 #include "io/layer_builder.h"
-#include "io/paths.h"
 #include "io/shapefile_check.h"
 
 namespace oblast::io {
@@ -97,41 +94,6 @@ void ignore_attributes(OGRLayer& layer, const std::string& except) {
   layer.SetIgnoredFields(names.data());
 }
 
-std::string wkt_of(const OGRSpatialReference& crs) {
-  // A GeoPackage without a coordinate system says so with a system of this name.
-  const char* title = crs.GetName();
-  if (title && std::string_view(title).starts_with("Undefined ")) return {};
-  const char* const wkt2[] = {"FORMAT=WKT2_2019", nullptr};
-  char* text = nullptr;
-  const OGRErr error = crs.exportToWkt(&text, wkt2);
-  const std::string result = error == OGRERR_NONE && text ? text : "";
-  CPLFree(text);
-  return result;
-}
-
-// GDAL compares a .prj with every system of PROJ's database, a tenth of a second for one that is not
-// there. The files of a folder mostly share one text, so what it means is found out once.
-std::string shapefile_crs(OGRLayer& layer, const std::string& path) {
-  static std::mutex lock;
-  static std::map<std::string, std::string> wkt_of_prj;
-
-  const std::string file = find_sibling(path, ".prj");
-  const std::string text = file.empty() ? "" : read_text(file);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return {};
-  const std::lock_guard hold(lock);
-  const auto known = wkt_of_prj.find(text);
-  if (known != wkt_of_prj.end()) return known->second;
-  const OGRSpatialReference* crs = layer.GetSpatialRef();
-  if (!crs) throw IoError(file + " does not hold a coordinate system that GDAL understands");
-  return wkt_of_prj[text] = wkt_of(*crs);
-}
-
-std::string crs_of(OGRLayer& layer, const std::string& path) {
-  if (lower_extension(path) == ".shp") return shapefile_crs(layer, path);
-  const OGRSpatialReference* crs = layer.GetSpatialRef();
-  return crs ? wkt_of(*crs) : "";
-}
-
 struct File {
   bool shapefile = false;
   bool flatgeobuf = false;
@@ -175,6 +137,7 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
   const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
   const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
   const ThreadOption no_repair("SHAPE_RESTORE_SHX", "NO");
+  const ThreadOption no_comparing("USE_OSR_FIND_MATCHES", "NO");
   const ThreadOption no_size_limit("OGR_GEOJSON_MAX_OBJ_SIZE", "0");
 
   const Format* format = format_of(path);
@@ -190,7 +153,7 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
   for (OGRLayer* source : dataset->GetLayers()) {
     if (source->GetGeomType() == wkbNone) continue;  // a table of attributes
     layer.files.push_back(dataset->GetLayerCount() == 1 ? path : path + " (layer " + source->GetName() + ")");
-    crs.add(crs_of(*source, path), layer.files.back());
+    crs.add(read_crs(*source, path), layer.files.back());
     messages.clear();  // what was said so far did not keep the file from being opened
     read_layer(*source, file, messages, options, layer);
   }
