@@ -1,0 +1,20 @@
+"""What a table of times must say about the machine."""
+
+import os
+import platform
+import re
+import subprocess
+
+
+def describe():
+    with open("/proc/cpuinfo") as file:
+        model = re.search(r"model name\s*:\s*(.*)", file.read())
+    with open("/proc/meminfo") as file:
+        memory = int(re.search(r"MemTotal:\s*(\d+)", file.read()).group(1)) / 2**20
+    with open("/etc/os-release") as file:
+        system = re.search(r'PRETTY_NAME="(.*)"', file.read()).group(1)
+    compiler = subprocess.run(["g++", "--version"], capture_output=True, text=True).stdout.splitlines()[:1]
+    return (
+        f"{model.group(1) if model else platform.machine()}, {os.cpu_count()} cores, {memory:.0f} GiB; "
+        f"{system}; {compiler[0] if compiler else 'no g++'}"
+    )
