@@ -1,10 +1,12 @@
 #include "noding/meetings.h"
 
+#include <oblast/domain.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
@@ -20,18 +22,36 @@ bool in_box(const Point& p, const Point& a, const Point& b) {
          p.y <= std::max(a.y, b.y);
 }
 
+/// The nearest multiple of `unit` in [low, high].
+double round_to_multiple(double value, double unit, double low, double high) {
+  const double rounded = std::nearbyint(value / unit) * unit;
+  return std::clamp(in_domain(rounded) ? rounded + 0.0 : 0.0, low, high);
+}
+
+/// x, where (a, b) and (c, d) cross, rounded further: see PointRounding.
+Point round_further(const Point& x, const Point& a, const Point& b, const Point& c, const Point& d, int doublings) {
+  double largest = 0;
+  for (const Point* p : {&a, &b, &c, &d}) largest = std::max({largest, std::fabs(p->x), std::fabs(p->y)});
+  const double unit = std::ldexp(1.0, std::ilogb(largest) - 52 + doublings);
+  const Box p = Box::of(a, b), q = Box::of(c, d);
+  return {round_to_multiple(x.x, unit, std::max(p.x0, q.x0), std::min(p.x1, q.x1)),
+          round_to_multiple(x.y, unit, std::max(p.y0, q.y0), std::min(p.y1, q.y1))};
+}
+
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, std::vector<EdgeCut>& cuts) : strands_(strands), cuts_(cuts) {}
+  MeetingTest(Strands& strands, PointRounding rounding, std::vector<EdgeCut>& cuts)
+      : strands_(strands), rounding_(rounding), cuts_(cuts) {}
 
   /// Every edge of one run against every edge of the other whose boxes meet.
-  void test_runs(const Run& p, const Run& q) {
+  void test_runs(const RunPair& pair) {
     const auto& points = strands_.points;
-    for (std::uint32_t i = p.first; i < p.last; ++i) {
+    const Box q_box = Box::of(points[pair.first_q], points[pair.last_q]);
+    for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
       const Box box = Box::of(points[i], points[i + 1]);
-      if (!box.meets(q.box)) continue;
-      for (std::uint32_t j = q.first; j < q.last; ++j)
+      if (!box.meets(q_box)) continue;
+      for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j)
         if (box.meets(Box::of(points[j], points[j + 1]))) test_edges(i, j);
     }
   }
@@ -49,7 +69,8 @@ class MeetingTest {
       const int a_side = orientation(c, d, a), b_side = orientation(c, d, b);
       if (a_side * b_side > 0) return;
       if (a_side != 0 && b_side != 0) {
-        const Point x = exact::intersection_point(a, b, c, d);
+        Point x = exact::intersection_point(a, b, c, d);
+        if (rounding_.doublings >= 0) x = round_further(x, a, b, c, d, rounding_.doublings);
         meet_at(i, x);
         meet_at(j, x);
         return;
@@ -118,18 +139,19 @@ class MeetingTest {
   }
 
   Strands& strands_;
+  PointRounding rounding_;
   std::vector<EdgeCut>& cuts_;
 };
 
 }  // namespace
 
-std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs,
+std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, PointRounding rounding,
                                    const std::function<void()>& checkpoint) {
   tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
-  find_pairs(runs, [&](std::span<const RunPair> pairs) {
+  find_pairs(strands.points, runs, [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    MeetingTest test(strands, found.local());
-    for (const auto& [p, q] : pairs) test.test_runs(runs[p], runs[q]);
+    MeetingTest test(strands, rounding, found.local());
+    for (const RunPair& pair : pairs) test.test_runs(pair);
   });
 
   std::vector<EdgeCut> cuts;

@@ -57,8 +57,8 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   std::vector<Point> input;  // the vertices as given, once there were cuts
   for (Grouping grouping = Grouping::by_strand;; grouping = Grouping::by_moved) {
     const std::vector<Run> runs = monotone_runs(strands, grouping);
-    const std::vector<EdgeCut> cuts = find_meetings(strands, runs, checkpoint);
     ++report.rounds;
+    const std::vector<EdgeCut> cuts = find_meetings(strands, runs, PointRounding::of_round(report.rounds), checkpoint);
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

@@ -6,72 +6,53 @@
 #include <limits>
 #include <memory>
 
+#include "noding/cell_cut.h"
+
 namespace oblast::noding {
 namespace {
 
 constexpr std::size_t leaf_size = 32;
-constexpr std::size_t sample_size = 31;
 constexpr std::size_t batch_size = 1024;
 constexpr std::size_t parallel_size = 20000;
+// Cells below this size, or with a cut better than this growth, are content with boxes.
+constexpr std::size_t bundle_size = 256;
+constexpr double box_growth = 1.3;
+// A cut that copies more than this is no progress: everything meets nearly everything.
+constexpr double largest_growth = 1.8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A run's box with what the search needs of it; two to a cache line and a half.
-struct Entry {
-  Box box;
-  std::uint32_t run;
-  Group group;
-};
-
-/// Half-open cell: its lower and left sides belong to it.
+/// A half-open cell (its lower and left sides belong to it), or, once edges are clipped, just "clipped".
 struct Cell {
   double x0 = -infinity, y0 = -infinity, x1 = infinity, y1 = infinity;
+  bool clipped = false;
 
-  bool holds(double x, double y) const { return x0 <= x && x < x1 && y0 <= y && y < y1; }
+  bool holds(double x, double y) const { return clipped || (x0 <= x && x < x1 && y0 <= y && y < y1); }
+
+  std::pair<Cell, Cell> halves(const CellCut& cut) const {
+    Cell left = *this, right = *this;
+    if (!clipped) {
+      (cut.kind == CutKind::at_x ? left.x1 : left.y1) = cut.at;
+      (cut.kind == CutKind::at_x ? right.x0 : right.y0) = cut.at;
+    }
+    return {left, right};
+  }
 };
 
-enum class Axis { x, y };
-
-struct Cut {
-  Axis axis = Axis::x;
-  double at = 0;
-  double growth = infinity;  ///< boxes in both halves over boxes in the cell, by the sample
-};
-
-double low(const Box& box, Axis axis) { return axis == Axis::x ? box.x0 : box.y0; }
-double high(const Box& box, Axis axis) { return axis == Axis::x ? box.x1 : box.y1; }
-
-/// The median cut of one axis, judged on an evenly spaced sample.
-Cut median_cut(std::span<const Entry> entries, Axis axis) {
-  double middles[sample_size];
-  const Entry* sample[sample_size];
-  const std::size_t step = entries.size() / sample_size;
-  for (std::size_t i = 0; i < sample_size; ++i) {
-    sample[i] = &entries[i * step + step / 2];
-    middles[i] = low(sample[i]->box, axis) / 2 + high(sample[i]->box, axis) / 2;
-  }
-  std::nth_element(middles, middles + sample_size / 2, middles + sample_size);
-  Cut cut{axis, middles[sample_size / 2], 0};
-  int left = 0, right = 0;
-  for (const Entry* e : sample) {
-    left += low(e->box, axis) < cut.at;
-    right += high(e->box, axis) >= cut.at;
-  }
-  constexpr int most = static_cast<int>(sample_size) * 7 / 8;
-  if (left > most || right > most)
-    cut.growth = infinity;
-  else
-    cut.growth = static_cast<double>(left + right) / static_cast<double>(sample_size);
-  return cut;
+bool one_group(std::span<const Entry> entries) {
+  if (entries.empty()) return true;
+  const Group group = entries[0].group;
+  if (group == any_group) return false;
+  return std::all_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.group == group; });
 }
 
 class Finder {
  public:
-  Finder(std::span<const Run> runs, const PairVisitor& visit) : runs_(runs), visit_(visit) {}
+  Finder(std::span<const Point> points, const PairVisitor& visit) : points_(points), visit_(visit) {}
 
-  void run() {
+  void run(std::span<const Run> runs) {
     std::vector<Entry> entries;
-    entries.reserve(runs_.size());
-    for (std::uint32_t i = 0; i < runs_.size(); ++i) entries.push_back({runs_[i].box, i, runs_[i].group});
+    entries.reserve(runs.size());
+    for (const Run& r : runs) entries.push_back({r.box, r.first, r.last, r.group});
     tbb::task_group tasks;
     split_in_parallel(std::move(entries), Cell{}, tasks);
     tasks.wait();
@@ -83,47 +64,74 @@ class Finder {
     Cell cell;
   };
 
-  static bool one_group(std::span<const Entry> entries) {
-    if (entries.empty()) return true;
-    const Group group = entries[0].group;
-    if (group == any_group) return false;
-    return std::all_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.group == group; });
+  /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
+  /// where every pair is to be tested.
+  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
+    if (entries.size() - begin <= leaf_size) return {};
+    CellCut cut;
+    if (!cell.clipped) {
+      cut = best_axis_cut(tail(entries, begin));
+      if (cut.growth <= box_growth || entries.size() - begin <= bundle_size)
+        return cut.growth <= largest_growth ? cut : CellCut{};
+      clip_edges(entries, begin, cell);
+    }
+    cut = best_cut(points_, tail(entries, begin));
+    return cut.growth <= largest_growth ? cut : CellCut{};
   }
 
-  static bool choose_cut(std::span<const Entry> entries, Cut& cut) {
-    if (entries.size() <= leaf_size) return false;
-    cut = median_cut(entries, Axis::x);
-    const Cut other = median_cut(entries, Axis::y);
-    if (other.growth < cut.growth) cut = other;
-    return cut.growth < 1.7;
+  static std::span<Entry> tail(std::vector<Entry>& entries, std::size_t begin) {
+    return std::span(entries).subspan(begin);
   }
 
-  static std::pair<Cell, Cell> halves(const Cell& cell, const Cut& cut) {
-    Cell left = cell, right = cell;
-    (cut.axis == Axis::x ? left.x1 : left.y1) = cut.at;
-    (cut.axis == Axis::x ? right.x0 : right.y0) = cut.at;
-    return {left, right};
+  /// Runs to single edges, each with the box of its part in the cell.
+  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
+    const std::vector<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
+    entries.resize(begin);
+    for (const Entry& run : runs) {
+      for (std::uint32_t e = run.first; e < run.last; ++e) {
+        Entry edge{Box::of(points_[e], points_[e + 1]), e, e + 1, run.group};
+        if (clip_to(cell, edge)) entries.push_back(edge);
+      }
+    }
+    cell.clipped = true;
   }
 
-  void split_in_parallel(std::vector<Entry> entries, const Cell& cell, tbb::task_group& tasks) {
-    Cut cut;
+  bool clip_to(const Cell& cell, Entry& edge) const {
+    const auto keep = [&](CutKind kind, double at, bool right) {
+      if (at == infinity || at == -infinity) return true;
+      const Sides sides = divide_edge(points_, edge, {kind, at});
+      edge.box = right ? sides.right_box : sides.left_box;
+      return right ? sides.right : sides.left;
+    };
+    // A meeting on the upper or right side of the cell belongs to the next cell, whose lower or left side it is.
+    return keep(CutKind::at_x, cell.x0, true) && keep(CutKind::at_x, cell.x1, false) &&
+           keep(CutKind::at_y, cell.y0, true) && keep(CutKind::at_y, cell.y1, false);
+  }
+
+  Sides divide(const Entry& entry, const CellCut& cut, const Cell& cell) const {
+    return cell.clipped ? divide_edge(points_, entry, cut) : divide_box(entry, cut);
+  }
+
+  void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
-    if (entries.size() < parallel_size || !choose_cut(entries, cut)) {
+    const CellCut cut = entries.size() < parallel_size ? CellCut{} : choose_cut(entries, 0, cell);
+    if (cut.growth == infinity) {
       split(std::move(entries), cell);
       return;
     }
-    std::vector<Entry> left, right;
-    left.reserve(entries.size() * 5 / 8);
+    // A task is called as const, so its boxes travel behind a pointer.
+    const auto left = std::make_shared<std::vector<Entry>>();
+    std::vector<Entry> right;
+    left->reserve(entries.size() * 5 / 8);
     right.reserve(entries.size() * 5 / 8);
     for (const Entry& e : entries) {
-      if (low(e.box, cut.axis) < cut.at) left.push_back(e);
-      if (high(e.box, cut.axis) >= cut.at) right.push_back(e);
+      const Sides sides = divide(e, cut, cell);
+      if (sides.left) left->push_back({sides.left_box, e.first, e.last, e.group});
+      if (sides.right) right.push_back({sides.right_box, e.first, e.last, e.group});
     }
     entries = {};
-    const auto [left_cell, right_cell] = halves(cell, cut);
-    // A task is called as const, so its boxes travel behind a pointer.
-    const auto part = std::make_shared<std::vector<Entry>>(std::move(left));
-    tasks.run([this, &tasks, part, part_cell = left_cell] { split_in_parallel(std::move(*part), part_cell, tasks); });
+    const auto [left_cell, right_cell] = cell.halves(cut);
+    tasks.run([this, &tasks, left, c = left_cell] { split_in_parallel(std::move(*left), c, tasks); });
     split_in_parallel(std::move(right), right_cell, tasks);
   }
 
@@ -131,39 +139,39 @@ class Finder {
   void split(std::vector<Entry> entries, const Cell& root) {
     std::vector<RunPair> batch;
     batch.reserve(batch_size * 2);
+    std::vector<Entry> right;
     std::vector<Task> stack{{0, root}};
     while (!stack.empty()) {
-      const Task task = stack.back();
+      Task task = stack.back();
       stack.pop_back();
-      const std::span<Entry> all = std::span(entries).subspan(task.begin);
-      Cut cut;
-      if (one_group(all)) {
+      if (one_group(tail(entries, task.begin))) {
         entries.resize(task.begin);
-      } else if (!choose_cut(all, cut)) {
-        test_all(all, task.cell, batch);
-        entries.resize(task.begin);
-      } else {
-        // [left only | straddling | right only], then the straddling ones again for the right half.
-        const auto straddling =
-            std::partition(all.begin(), all.end(), [&](const Entry& e) { return high(e.box, cut.axis) < cut.at; });
-        const auto right =
-            std::partition(straddling, all.end(), [&](const Entry& e) { return low(e.box, cut.axis) < cut.at; });
-        const std::size_t right_begin = task.begin + static_cast<std::size_t>(right - all.begin());
-        const std::size_t copies = static_cast<std::size_t>(right - straddling);
-        const std::size_t straddling_begin = right_begin - copies;
-        const std::size_t old_size = entries.size();
-        entries.resize(old_size + copies);
-        std::copy_n(entries.begin() + static_cast<std::ptrdiff_t>(straddling_begin), copies,
-                    entries.begin() + static_cast<std::ptrdiff_t>(old_size));
-        const auto [left_cell, right_cell] = halves(task.cell, cut);
-        stack.push_back({task.begin, left_cell});
-        stack.push_back({right_begin, right_cell});
+        continue;
       }
+      const CellCut cut = choose_cut(entries, task.begin, task.cell);
+      if (cut.growth == infinity) {
+        test_all(tail(entries, task.begin), task.cell, batch);
+        entries.resize(task.begin);
+        continue;
+      }
+      right.clear();
+      std::size_t left_end = task.begin;
+      for (std::size_t i = task.begin; i < entries.size(); ++i) {
+        const Entry e = entries[i];
+        const Sides sides = divide(e, cut, task.cell);
+        if (sides.right) right.push_back({sides.right_box, e.first, e.last, e.group});
+        if (sides.left) entries[left_end++] = {sides.left_box, e.first, e.last, e.group};
+      }
+      entries.resize(left_end);
+      entries.insert(entries.end(), right.begin(), right.end());
+      const auto [left_cell, right_cell] = task.cell.halves(cut);
+      stack.push_back({task.begin, left_cell});
+      stack.push_back({left_end, right_cell});
     }
     if (!batch.empty()) visit_(batch);
   }
 
-  void test_all(std::span<const Entry> entries, const Cell& cell, std::vector<RunPair>& batch) {
+  void test_all(std::span<const Entry> entries, const Cell& cell, std::vector<RunPair>& batch) const {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Entry& p = entries[i];
       for (std::size_t j = i + 1; j < entries.size(); ++j) {
@@ -171,7 +179,7 @@ class Finder {
         if (!p.box.meets(q.box)) continue;
         if (p.group == q.group && p.group != any_group) continue;
         if (!cell.holds(std::max(p.box.x0, q.box.x0), std::max(p.box.y0, q.box.y0))) continue;
-        batch.emplace_back(p.run, q.run);
+        batch.push_back({p.first, p.last, q.first, q.last});
       }
       if (batch.size() >= batch_size) {
         visit_(batch);
@@ -180,12 +188,14 @@ class Finder {
     }
   }
 
-  std::span<const Run> runs_;
+  std::span<const Point> points_;
   const PairVisitor& visit_;
 };
 
 }  // namespace
 
-void find_pairs(std::span<const Run> runs, const PairVisitor& visit) { Finder(runs, visit).run(); }
+void find_pairs(std::span<const Point> points, std::span<const Run> runs, const PairVisitor& visit) {
+  Finder(points, visit).run(runs);
+}
 
 }  // namespace oblast::noding

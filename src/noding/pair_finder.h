@@ -3,27 +3,37 @@
 // A cell of the plane with the boxes that touch it is cut at the median of a sample, on the axis that
 // leaves fewer boxes on both sides, until about thirty are left; then every pair is tested. A box that
 // straddles the cut goes to both halves. The pair (p, q) belongs to the cell that holds the lower left
-// corner of the intersection of their boxes, so it is reported once. A cell all of whose boxes are of
+// corner of the intersection of their boxes, so it is found once. A cell all of whose boxes are of
 // one group (strands.h) is dropped at once: this is what makes later rounds, which look only for what
 // the moved pieces can reach, and pairs of large polygons that seldom meet, cheap.
+//
+// Where too many boxes straddle (long slanting edges, bundles, fans) boxes say too little. There the search
+// goes on with single edges, clipped to the cell, and a cut may also follow the line of one of the
+// edges: a binary space partition by edges chosen at random, which expects O(n log n + k) pieces
+// however the edges lie (Paterson and Yao 1990). There a pair may be found more than once.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {
 
-using RunPair = std::pair<std::uint32_t, std::uint32_t>;
+/// Edges [first_p, last_p) against edges [first_q, last_q): runs whose boxes meet.
+struct RunPair {
+  std::uint32_t first_p, last_p;
+  std::uint32_t first_q, last_q;
+};
 
-/// Called with pairs of indices into the runs, a batch at a time, from several threads at once.
+/// Called a batch at a time, from several threads at once.
 using PairVisitor = std::function<void(std::span<const RunPair>)>;
 
-/// Every pair of runs whose closed boxes meet, once, except pairs of one group other than any_group.
-/// Cost: O((n + k) log n) for k pairs. Memory O(n).
-void find_pairs(std::span<const Run> runs, const PairVisitor& visit);
+/// Visits, for every two edges of different runs whose closed boxes meet, a pair of runs that holds them,
+/// except where both are of one group other than any_group. Edge i is (points[i], points[i + 1]).
+/// Cost: O((n + k) log n) expected, for k pairs. Memory O(n).
+void find_pairs(std::span<const Point> points, std::span<const Run> runs, const PairVisitor& visit);
 
 }  // namespace oblast::noding

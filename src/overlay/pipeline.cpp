@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engines/leonov_nikitin/label.h"
+#include "engines/vatti/label.h"
 #include "noding/merge_identical_edges.h"
 #include "noding/node.h"
 #include "overlay/assemble.h"
@@ -38,10 +39,15 @@ ChainGraph node_stage(noding::Strands strands, Control& control, Statistics& sta
   return graph;
 }
 
-std::vector<Winding> label_stage(const ChainGraph& graph, Control& control, Statistics& statistics) {
+std::vector<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
   control.checkpoint(Stage::label, 0);
   const StageClock clock(statistics, Stage::label);
-  return leonov_nikitin::label(graph);
+  switch (engine) {
+    case Engine::vatti:
+      return vatti::label(graph);
+    default:
+      return leonov_nikitin::label(graph);
+  }
 }
 
 }  // namespace
@@ -55,7 +61,7 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
   const ChainGraph graph = node_stage(std::move(strands), control, statistics);
 
   // 3. label
-  const std::vector<Winding> right = label_stage(graph, control, statistics);
+  const std::vector<Winding> right = label_stage(graph, options.engine, control, statistics);
 
   // 4. select
   control.checkpoint(Stage::select, 0);

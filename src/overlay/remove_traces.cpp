@@ -78,11 +78,11 @@ std::vector<std::uint32_t> find_conflicts(const Straightened& s) {
   const auto set = [&](std::uint32_t edge) {
     if (s.strands.flags[edge] & noding::moved_flag) std::atomic_ref(conflict[edge]).store(1, std::memory_order_relaxed);
   };
-  noding::find_pairs(runs, [&](std::span<const noding::RunPair> pairs) {
-    for (const auto& [p, q] : pairs) {
-      for (std::uint32_t i = runs[p].first; i < runs[p].last; ++i) {
+  noding::find_pairs(points, runs, [&](std::span<const noding::RunPair> pairs) {
+    for (const noding::RunPair& pair : pairs) {
+      for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
         const noding::Box box = noding::Box::of(points[i], points[i + 1]);
-        for (std::uint32_t j = runs[q].first; j < runs[q].last; ++j) {
+        for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j) {
           if (!box.meets(noding::Box::of(points[j], points[j + 1]))) continue;
           if (!in_conflict(points[i], points[i + 1], points[j], points[j + 1])) continue;
           set(i);

@@ -1,0 +1,50 @@
+// A cut of a cell in two, and what it does to the boxes in it. See pair_finder.h.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "noding/monotone_runs.h"
+
+namespace oblast::noding {
+
+/// A run, or a single edge, with the box of what of it is in the cell.
+struct Entry {
+  Box box;
+  std::uint32_t first, last;  ///< its edges
+  Group group;
+};
+
+/// Where a cut runs: at a value of x or of y, or along the line of an edge.
+enum class CutKind : std::uint8_t { at_x, at_y, along_edge };
+
+struct CellCut {
+  CutKind kind = CutKind::at_x;
+  double at = 0;           ///< for at_x and at_y
+  std::uint32_t edge = 0;  ///< for along_edge
+  /// Entries in both halves over entries in the cell, by a sample; infinite for a cut that does not help.
+  double growth = std::numeric_limits<double>::infinity();
+};
+
+/// What of an entry is left and right of a cut. Left is below, for at_y.
+struct Sides {
+  bool left = false, right = false;
+  Box left_box, right_box;
+};
+
+/// By the whole box, which goes to either side unchanged.
+Sides divide_box(const Entry& entry, const CellCut& cut);
+
+/// For an entry of one edge: what lies on either side, clipped. Rounded outwards: nothing is lost.
+Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut);
+
+/// The better median cut of the two axes, on a random sample of whole boxes.
+CellCut best_axis_cut(std::span<const Entry> entries);
+
+/// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries);
+
+}  // namespace oblast::noding
