@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <exception>
 
@@ -60,6 +61,10 @@ Options options_of(const Request& request, Statistics* statistics) {
   options.collinear = request.collinear;
   options.threads = 1;
   options.statistics = statistics;
+  using Clock = std::chrono::steady_clock;
+  const auto until =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(request.patience));
+  options.progress = [until](Stage, double) { return Clock::now() < until; };
   return options;
 }
 

@@ -20,6 +20,7 @@ struct Request {
   std::uint64_t seed = 0;      ///< of the shuffling
   bool other_threads = false;  ///< compare with two threads (costly)
   bool other_engines = false;  ///< compare with every engine that is present
+  double patience = 60;        ///< seconds after which a call is cancelled, and counts as an exception
 };
 
 Request draw_request(std::uint64_t seed);

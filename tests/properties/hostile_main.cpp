@@ -31,6 +31,7 @@ struct Settings {
   int threads = 0;
   std::uint64_t show = 2;  // failures shown in full, by generator
   bool engines = false;
+  double patience = 60;  // seconds
   std::string only;
 };
 
@@ -60,14 +61,16 @@ std::mutex printing;
 
 void show_failure(const HostileGenerator& generator, std::uint64_t seed, const Operands& operands,
                   const Request& request, const Failure& failure) {
+  Request impatient = request;
+  impatient.patience = 0.5;
   const auto fails = [&](const Operands& smaller) {
     Figures figures;
-    const auto again = run_trial(smaller, request, figures);
+    const auto again = run_trial(smaller, impatient, figures);
     return again && again->broken == failure.broken;
   };
   const Operands small = shrink(operands, fails);
   Figures figures;
-  const auto again = run_trial(small, request, figures);
+  const auto again = run_trial(small, impatient, figures);
   const Failure& shown = again ? *again : failure;
   static constexpr const char* names[] = {"intersection", "union", "difference", "symdifference"};
   const std::lock_guard lock(printing);
@@ -82,6 +85,7 @@ void run_case(const HostileGenerator& generator, std::uint64_t seed, const Setti
   ++row.cases;
   Request request = draw_request(seed);
   request.other_engines = settings.engines;
+  request.patience = settings.patience;
   try {
     const Operands operands = generator.make(seed, size_of_case(settings, seed));
     const auto failure = run_trial(operands, request, row.figures);
@@ -133,6 +137,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", settings.threads, "0: all cores")->capture_default_str();
   app.add_option("--generator", settings.only, "only this one");
   app.add_option("--show", settings.show, "failures shown in full, by generator")->capture_default_str();
+  app.add_option("--patience", settings.patience, "seconds after which a call is given up")->capture_default_str();
   app.add_flag("--engines", settings.engines, "all engines must agree");
   CLI11_PARSE(app, argc, argv);
 
