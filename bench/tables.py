@@ -1,6 +1,7 @@
 """The tables of bench/run, as Markdown."""
 
-GOOD = ("valid", "touching", "contours only", "not judged")
+JUDGED_GOOD = ("valid", "touching", "ogc valid", "self-touching")  # bench/driver/judge.cpp
+GOOD = (*JUDGED_GOOD, "contours only", "not judged")
 
 
 def duration(seconds):

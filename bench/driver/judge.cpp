@@ -1,9 +1,19 @@
-// oblast_judge RESULT: is what a driver wrote a valid region set? Decided by verify/, exactly, for
-// every engine alike: contours may not cross or overlap; those that touch themselves at a point are
-// valid under the convention `leonov-nikitin`. Prints one JSON object. Of many pairs a sample is judged.
+// oblast_judge RESULT: is what a driver wrote a valid region set? The same question to every engine, after
+// the clock. Prints one JSON object with the verdict, from strict to lax, and what kept it from a stricter one:
+//
+//   valid          closed as oblast promises (G2, verify/, exact): edges meet only at common end points
+//   touching       the same, with contours that touch themselves at a vertex (convention leonov-nikitin)
+//   ogc valid      a valid MultiPolygon in GEOS's judgement: a vertex may also lie in the middle of an edge
+//   self-touching  the same, with rings that touch themselves
+//   invalid        none of these
+//
+// Of many pairs a sample is judged; the verdict is the worst.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#ifdef OBLAST_BENCH_WITH_GEOS
+#include "driver/ogc_valid.h"
+#endif
 #include "verify/verify.h"
 #include "workloads/workload_file.h"
 
@@ -29,6 +39,29 @@ RegionSet normalised(const RegionView& regions) {
   return result;
 }
 
+enum Verdict { valid, touching, ogc_valid, self_touching, invalid };
+constexpr const char* verdict_names[] = {"valid", "touching", "ogc valid", "self-touching", "invalid"};
+
+struct Judgement {
+  Verdict verdict = valid;
+  std::string fault;
+};
+
+Judgement judge(const RegionSet& regions) {
+  const auto strict = verify::check_closed(regions, ContourConvention::ogc);
+  if (!strict) return {};
+  const auto lax = verify::check_closed(regions, ContourConvention::leonov_nikitin);
+  if (!lax) return {touching, strict->what};
+#ifdef OBLAST_BENCH_WITH_GEOS
+  if (bench::ogc_fault(regions, bench::SelfTouching::refuse).empty()) return {ogc_valid, strict->what};
+  const std::string reason = bench::ogc_fault(regions, bench::SelfTouching::admit);
+  if (reason.empty()) return {self_touching, strict->what};
+  return {invalid, reason + "; " + strict->what};
+#else
+  return {invalid, strict->what};
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,18 +71,13 @@ int main(int argc, char** argv) {
   }
   try {
     const bench::Workload file = bench::read_workload(argv[1]);
-    std::string verdict = "valid";
-    std::string fault;
+    Judgement worst;
     const std::size_t step = std::max<std::size_t>(1, file.pairs() / sample);
-    for (std::size_t i = 0; i < file.pairs() && verdict != "invalid"; i += step) {
-      const RegionSet regions = normalised(file.a.pair(i));
-      const auto strict = verify::check_closed(regions, ContourConvention::ogc);
-      if (!strict) continue;
-      const auto touching = verify::check_closed(regions, ContourConvention::leonov_nikitin);
-      verdict = touching ? "invalid" : "touching";
-      fault = touching ? touching->what : strict->what;
+    for (std::size_t i = 0; i < file.pairs(); i += step) {
+      const Judgement judgement = judge(normalised(file.a.pair(i)));
+      if (judgement.verdict > worst.verdict) worst = judgement;
     }
-    std::cout << nlohmann::json{{"verdict", verdict}, {"fault", fault}}.dump() << std::endl;
+    std::cout << nlohmann::json{{"verdict", verdict_names[worst.verdict]}, {"fault", worst.fault}}.dump() << std::endl;
   } catch (const std::exception& error) {
     std::cerr << "oblast_judge: " << error.what() << "\n";
     return 1;
