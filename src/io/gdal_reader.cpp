@@ -11,6 +11,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "io/crs.h"
@@ -99,10 +100,20 @@ struct File {
   bool flatgeobuf = false;
 };
 
+// A FlatGeobuf file cut off in its index reads as an empty one, but its header still knows the count
+// (0 stands for unknown).
+void check_count(OGRLayer& source, std::uint64_t features, const std::string& file) {
+  const auto declared = static_cast<std::uint64_t>(std::max<GIntBig>(0, source.GetFeatureCount(FALSE)));
+  if (declared == 0 || declared == features) return;
+  throw IoError(file + " is truncated: its header declares " + std::to_string(declared) + " features, " +
+                std::to_string(features) + " can be read");
+}
+
 void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
                 Layer& layer) {
   LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options.other);
   if (file.shapefile) builder.turn_rings();
+  const std::uint64_t features_before = layer.report.features;
   std::vector<Point> scratch;
   FlatgeobufOrder order(file.flatgeobuf ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
   ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
@@ -125,6 +136,7 @@ void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages
     order.add(*feature);
   }
   check(layer.files.back());
+  if (file.flatgeobuf) check_count(source, layer.report.features - features_before, layer.files.back());
   order.restore();
 }
 

@@ -2,9 +2,11 @@
 // the order of the list.
 #include "io/read.h"
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <limits>
@@ -49,7 +51,9 @@ std::vector<Layer> read_each(const std::vector<std::string>& files, const ReadOp
       }
     }
   };
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  // More threads than cores would gain nothing, and TBB would say so on standard error.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, files.size(), read_file); });
   if (first_failure < files.size()) std::rethrow_exception(failures[first_failure]);
   return layers;

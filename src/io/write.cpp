@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -46,7 +47,9 @@ OutputFiles files_of(const std::string& path) {
 }
 
 void refuse_existing(const std::string& path) {
-  for (const std::string& part : files_of(path).parts) {
+  std::vector<std::string> parts = files_of(path).parts;
+  std::reverse(parts.begin(), parts.end());  // the target itself first
+  for (const std::string& part : parts) {
     const std::string file = part.empty() ? path : fs::path(path).replace_extension(part).string();
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) {
