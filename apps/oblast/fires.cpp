@@ -3,8 +3,8 @@
 // A month is a budget of contours and vertices (Table 1), spent in this order: gas flares (points
 // seen by many passes), long fires (discs that drift and are seen tens of times), patches (seen one
 // to three times, their pixels side by side merged into L and staircase shapes), small fires (a
-// pixel, seen one to three times) up to the exact number of contours. Vertices come out exactly because merging stops at its budget, and what
-// is left of it is given as pixel corners kept on straight sides of merged contours.
+// pixel, seen one to three times) up to the exact number of contours. Vertices come out exactly because merging stops
+// at its budget, and what is left of it is given as pixel corners kept on straight sides of merged contours.
 #include "oblast/fires.h"
 
 #include <algorithm>
@@ -113,8 +113,7 @@ class Month {
   }
 
   // Some of the pixels of a disc, by a hash of each; the one at the centre when none is found.
-  std::vector<Cell> burning(const Pass& pass, Point centre, double radius_km, double density,
-                            std::uint64_t key) const {
+  std::vector<Cell> burning(const Pass& pass, Point centre, double radius_km, double density, std::uint64_t key) const {
     std::vector<Cell> cells = pass.lattice.disc(centre, radius_km);
     std::erase_if(cells, [&](Cell c) {
       const std::uint64_t pixel = mix(mix(key, static_cast<std::uint32_t>(c.i)), static_cast<std::uint32_t>(c.j));
@@ -136,7 +135,8 @@ class Month {
       if (component.size() == 1 && cells.size() > 1 && random_.chance(merged * stray_pixels_dropped)) continue;
       if (component.size() > 1 && random_.chance(merged)) {
         std::vector<OutlineVertex> contour = outline(component);
-        const auto corners = std::count_if(contour.begin(), contour.end(), [](const OutlineVertex& v) { return !v.straight; });
+        const auto corners =
+            std::count_if(contour.begin(), contour.end(), [](const OutlineVertex& v) { return !v.straight; });
         if (corners - 4 <= excess_) {
           excess_ -= static_cast<int>(corners - 4);
           pass.outlines.push_back(std::move(contour));
@@ -177,7 +177,8 @@ class Month {
       const double time = views == 1 ? 0 : static_cast<double>(view) / (views - 1);
       const Point centre{start.x + drift_x * time / km_per_degree_lon, start.y + drift_y * time / km_per_degree_lat};
       Pass& pass = some_pass(start);
-      const std::uint64_t key = mix(mix(month_seed_, 4000 + static_cast<std::uint64_t>(fire)), static_cast<std::uint64_t>(view));
+      const std::uint64_t key =
+          mix(mix(month_seed_, 4000 + static_cast<std::uint64_t>(fire)), static_cast<std::uint64_t>(view));
       detect(pass, burning(pass, centre, radius * (0.4 + 0.6 * time), plan_.density, key), plan_.merged);
     }
   }
@@ -227,7 +228,8 @@ class Month {
       const Point place = fire_place(seed_, random_);
       const int views = views_of_small_fire();
       for (int view = 0; view < views && left() > 0; ++view) {
-        const Point seen{place.x + 0.4 * bell(random_) / km_per_degree_lon, place.y + 0.4 * bell(random_) / km_per_degree_lat};
+        const Point seen{place.x + 0.4 * bell(random_) / km_per_degree_lon,
+                         place.y + 0.4 * bell(random_) / km_per_degree_lat};
         Pass& pass = some_pass(place);
         add_pixel(pass, pass.lattice.cell_at(seen));
       }
@@ -255,9 +257,9 @@ class Month {
   std::uint64_t seed_, month_seed_;
   Random random_;
   int files_;
-  int contours_;     // to make
-  int used_ = 0;     // made
-  int excess_;       // vertices beyond four a contour, still to spend
+  int contours_;  // to make
+  int used_ = 0;  // made
+  int excess_;    // vertices beyond four a contour, still to spend
   std::vector<Pass> passes_;
 };
 

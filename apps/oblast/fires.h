@@ -1,11 +1,11 @@
 // `generate fires`: satellite passes over fires in Russia, as in the paper of 2013 (DESIGN, section 9).
 #pragma once
 
+#include <oblast/region_set.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include <oblast/region_set.h>
 
 namespace oblast::app {
 
@@ -18,8 +18,8 @@ struct FireMonth {
   int vertices = 0;  ///< of all contours, closing points not counted
 };
 inline constexpr FireMonth fire_months[] = {
-    {4, 30, 470, 20634, 102389},  {5, 31, 1231, 69560, 405416}, {6, 30, 1322, 62292, 472804},
-    {7, 31, 397, 16193, 64772},   {9, 30, 268, 13298, 53192},   {10, 31, 218, 8938, 35752},
+    {4, 30, 470, 20634, 102389}, {5, 31, 1231, 69560, 405416}, {6, 30, 1322, 62292, 472804},
+    {7, 31, 397, 16193, 64772},  {9, 30, 268, 13298, 53192},   {10, 31, 218, 8938, 35752},
 };
 
 /// One pass: one file. Every contour is a polygon of its own; contours of one pass do not overlap.

@@ -5,10 +5,10 @@
 //        (i, j) .-------. (i+1, j)          bit for bit.
 #pragma once
 
+#include <oblast/point.h>
+
 #include <cstdint>
 #include <vector>
-
-#include <oblast/point.h>
 
 namespace oblast::app {
 
@@ -29,9 +29,7 @@ class Lattice {
   /// `slope` is the tangent of half the lattice's angle; sizes in kilometres; the origin in degrees.
   Lattice(Point origin, double slope, double width_km, double height_km);
 
-  Point corner(Cell c) const {
-    return {origin_.x + c.i * u_.x + c.j * v_.x, origin_.y + c.i * u_.y + c.j * v_.y};
-  }
+  Point corner(Cell c) const { return {origin_.x + c.i * u_.x + c.j * v_.x, origin_.y + c.i * u_.y + c.j * v_.y}; }
   /// The pixel that holds a place (degrees).
   Cell cell_at(Point place) const;
   /// The pixels whose centre is at most `radius_km` from a place, in order; perhaps none.

@@ -5,14 +5,14 @@ namespace oblast::app {
 
 struct FirePlan {
   int month;
-  double long_share;    ///< share of the contours that belongs to fires seen tens of times
-  double radius_km;     ///< largest radius of such a fire
-  double density;       ///< chance that a pixel of a burning disc is detected
-  double merged;        ///< chance that pixels side by side in such a fire become one contour
-  double patch_km;      ///< largest radius of a patch: a fire seen once to three times, its pixels merged
-  double patch_density; ///< as `density`, for patches
-  double seen_twice;    ///< share of the small fires that is seen twice
-  double seen_thrice;   ///< ... three times
+  double long_share;       ///< share of the contours that belongs to fires seen tens of times
+  double radius_km;        ///< largest radius of such a fire
+  double density;          ///< chance that a pixel of a burning disc is detected
+  double merged;           ///< chance that pixels side by side in such a fire become one contour
+  double patch_km;         ///< largest radius of a patch: a fire seen once to three times, its pixels merged
+  double patch_density;    ///< as `density`, for patches
+  double seen_twice;       ///< share of the small fires that is seen twice
+  double seen_thrice;      ///< ... three times
   double flare_shares[2];  ///< of the visible passes: how often the two brightest gas flares are seen
 };
 
@@ -26,8 +26,8 @@ inline constexpr FirePlan fire_plans[] = {
 };
 
 inline constexpr double stray_pixels_dropped = 0.35;  ///< of the lone pixels beside a merged patch
-inline constexpr int flare_count = 160;         ///< gas flares, mostly in Western Siberia
-inline constexpr int fire_region_count = 60;    ///< where fires gather, the same in every month
-inline constexpr double fire_region_km = 450;   ///< how far they spread there
+inline constexpr int flare_count = 160;               ///< gas flares, mostly in Western Siberia
+inline constexpr int fire_region_count = 60;          ///< where fires gather, the same in every month
+inline constexpr double fire_region_km = 450;         ///< how far they spread there
 
 }  // namespace oblast::app

@@ -1,13 +1,16 @@
 // SVG pictures a person can judge.
 #pragma once
 
-#include <string>
-
 #include <oblast/region_set.h>
+
+#include <string>
 
 #include "io/write.h"
 
 namespace oblast::io {
+
+/// How coordinates become a drawing: as they are, or degrees scaled by the cosine of the mean latitude.
+enum class MapProjection { plane, longitude_latitude };
 
 struct Picture {
   RegionView a;       ///< first operand, translucent
@@ -17,10 +20,19 @@ struct Picture {
   std::string label_a = "A";
   std::string label_b = "B";
   std::string label_result = "result";
+  MapProjection projection = MapProjection::plane;
 };
 
-/// Writes an SVG with a legend. However large the input, the file stays within a few MB: what is
-/// smaller than a pixel at the picture's size is simplified away or gathered. Throws IoError.
+/// Writes an SVG with a legend, axes and a scale bar; where the detail is finer than a pixel, a second
+/// panel shows the densest place enlarged. However large the input, the file stays within about 4 MB:
+/// vertices are snapped to a tenth of a pixel or coarser, and contours below a pixel are gathered
+/// into dots. Throws IoError; then an older file at `path` is untouched.
 void write_svg(const std::string& path, const Picture& picture, Existing existing = Existing::refuse);
+
+/// Throws IoError when `path` cannot be written. Call it before the work.
+void check_picture_writable(const std::string& path, Existing existing = Existing::refuse);
+
+/// The text of the picture.
+std::string to_svg(const Picture& picture);
 
 }  // namespace oblast::io

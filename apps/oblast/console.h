@@ -1,0 +1,38 @@
+// What the program says on standard error while it works.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace oblast::app {
+
+/// One line that is rewritten in place, on a terminal only; elsewhere it is silent. Calls may come
+/// from several threads, one at a time.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted = true);
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Shows "what  42 %"; at most ten times a second.
+  void show(const std::string& what, double fraction);
+  void clear();
+
+ private:
+  bool shown_ = false;
+  bool wanted_;
+  std::string last_;
+  std::chrono::steady_clock::time_point when_;
+};
+
+/// 1234567 as "1,234,567".
+std::string grouped(unsigned long long number);
+
+/// "1 file", "3 files".
+std::string counted(unsigned long long number, const std::string& noun);
+
+/// Largest memory the program held so far, in bytes.
+unsigned long long peak_memory();
+
+}  // namespace oblast::app

@@ -1,0 +1,48 @@
+// The signal handler. It may use only what is safe in one: lock-free atomics, write, _exit and
+// io::discard_unfinished.
+#include "oblast/interrupt.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "io/write.h"
+#include "oblast/command.h"
+
+namespace oblast::app {
+
+namespace {
+
+std::atomic<bool> flag_is_watched = false;
+std::atomic<bool> flag = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void oblast_on_signal(int) {
+  if (flag_is_watched && !flag.exchange(true)) return;
+  io::discard_unfinished();
+  constexpr char message[] = "\noblast: interrupted; unfinished output removed\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
+  ::_exit(exit_interrupted);
+}
+
+}  // namespace
+
+void install_interrupt_handler() {
+  struct sigaction action = {};
+  action.sa_handler = oblast_on_signal;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old = {};
+    sigaction(signal, nullptr, &old);
+    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays nohup
+  }
+}
+
+bool interrupted() { return flag; }
+
+InterruptFlag::InterruptFlag() { flag_is_watched = true; }
+InterruptFlag::~InterruptFlag() { flag_is_watched = false; }
+
+}  // namespace oblast::app

@@ -1,0 +1,221 @@
+// A job from input files to the summary. Whatever can be refused is refused before the work.
+#include "oblast/job.h"
+
+#include <fmt/format.h>
+#include <oblast/oblast.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "io/crs.h"
+#include "io/picture.h"
+#include "io/read.h"
+#include "io/write.h"
+#include "oblast/console.h"
+#include "oblast/interrupt.h"
+#include "oblast/names.h"
+#include "oblast/summary.h"
+
+namespace oblast::app {
+
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+std::string label(const Job& job, std::size_t operand) {
+  if (job.operands.size() == 1) return "input";
+  return operand == 0 ? "A" : "B";
+}
+
+void check_call(const Job& job, const JobArguments& arguments, bool json) {
+  int from_standard_input = 0;
+  for (const auto& paths : job.operands) {
+    for (const std::string& path : paths) from_standard_input += path == "-";
+  }
+  if (from_standard_input > 1) throw CallError("standard input (-) can be read only once");
+  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  if (!arguments.picture.empty() && arguments.picture == arguments.output) {
+    throw CallError("--svg and -o name the same file");
+  }
+}
+
+// The library refuses too, but cannot name the option.
+void refuse_existing(const std::string& path) {
+  std::error_code error;
+  if (path.empty() || path == "-" || !std::filesystem::exists(path, error)) return;
+  throw io::IoError(path + " exists already (--overwrite replaces it)");
+}
+
+std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, ProgressLine& progress) {
+  std::vector<io::Layer> layers;
+  for (std::size_t k = 0; k < job.operands.size(); ++k) {
+    io::ReadOptions options;
+    options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
+    options.threads = arguments.options.threads;
+    options.progress = [&](std::size_t done, std::size_t files) {
+      progress.show("reading " + label(job, k),
+                    files == 0 ? 1 : static_cast<double>(done) / static_cast<double>(files));
+    };
+    layers.push_back(io::read(job.operands[k], options));
+  }
+  return layers;
+}
+
+void check_same_crs(const std::vector<io::Layer>& layers) {
+  if (layers.size() < 2 || io::same_crs(layers[0].crs_wkt, layers[1].crs_wkt)) return;
+  throw io::IoError(fmt::format("two coordinate systems: A ({}) is in {}, B ({}) is in {}; transform one of them first",
+                                layers[0].files.front(), io::crs_name(layers[0].crs_wkt), layers[1].files.front(),
+                                io::crs_name(layers[1].crs_wkt)));
+}
+
+RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options options, ProgressLine& progress) {
+  const InterruptFlag watch;
+  options.progress = [&](Stage stage, double fraction) {
+    progress.show(name(stage), fraction);
+    return !interrupted();
+  };
+  try {
+    if (layers.size() == 1) return unite(layers[0].regions, options);
+    return overlay(layers[0].regions, layers[1].regions, job.operation, options);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) throw Interrupted();
+    if (error.code() == ErrorCode::bad_option) throw CallError(error.what());
+    const std::size_t operand = error.place().operand;
+    if (operand >= layers.size() || error.place().contour == Place::npos) throw io::IoError(error.what());
+    throw io::IoError(fmt::format("{}: {}", io::describe(layers[operand], error.place()), error.what()));
+  }
+}
+
+// "fires" for one path, "fires and 3 more" for several.
+std::string short_name(const std::vector<std::string>& paths) {
+  std::string path = paths.front();
+  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  std::string text = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+  if (paths.size() > 1) text += fmt::format(" and {} more", paths.size() - 1);
+  return text;
+}
+
+void draw(const Job& job, const JobArguments& arguments, const std::vector<io::Layer>& layers,
+          const RegionSet& result) {
+  io::Picture picture;
+  picture.a = layers[0].regions;
+  picture.label_a = short_name(job.operands[0]);
+  if (layers.size() > 1) {
+    picture.b = layers[1].regions;
+    picture.label_b = short_name(job.operands[1]);
+  }
+  picture.result = result;
+  const std::string& crs = layers[0].crs_wkt.empty() ? layers.back().crs_wkt : layers[0].crs_wkt;
+  if (crs.rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
+  picture.label_result = layers.size() > 1 ? name(job.operation) : "union";
+  picture.title = layers.size() > 1
+                      ? fmt::format("{} of {} and {}", name(job.operation), picture.label_a, picture.label_b)
+                      : fmt::format("union of {}", picture.label_a);
+  io::write_svg(arguments.picture, picture, arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
+}
+
+}  // namespace
+
+void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
+  JobArguments* const a = &arguments;
+  command.add_option("-o,--output", a->output, "where the result goes; `-`: WKT on standard output")
+      ->required()
+      ->type_name("OUT");
+  const std::string rules = "polygons (default), atleast:K, evenodd, nonzero, positive or negative";
+  command
+      .add_option_function<std::string>(
+          "--fill", [a](const std::string& word) { a->fill = parse_fill(word); }, "what is inside: " + rules)
+      ->type_name("RULE");
+  if (operands == Operands::two) {
+    command
+        .add_option_function<std::string>(
+            "--fill-b", [a](const std::string& word) { a->fill_b = parse_fill(word); },
+            "the same for B, where it differs")
+        ->type_name("RULE");
+  }
+  command
+      .add_option_function<std::string>(
+          "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
+          "leonov-nikitin (default), vatti or skvortsov: same bytes")
+      ->type_name("ENGINE");
+  command
+      .add_option_function<std::string>(
+          "--contours", [a](const std::string& word) { a->options.contours = parse_contours(word); },
+          "ogc (default) or leonov-nikitin: contours that touch themselves")
+      ->type_name("CONVENTION");
+  command.add_flag("--minimal", a->minimal, "leave out vertices exactly on a line between their neighbours");
+  command.add_option("--threads", a->options.threads, "0 (default): all cores; the result is the same")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command.add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
+  command.add_flag("--overwrite", a->overwrite, "replace existing files");
+  command.add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");
+  command.add_flag("--json", invocation.json, "one object on standard output instead of the summary");
+  command.add_flag("-q,--quiet", a->quiet, "no progress, no summary");
+}
+
+int run_job(const Job& job, const JobArguments& arguments, bool json) {
+  const Stopwatch total;
+  check_call(job, arguments, json);
+  io::WriteOptions write_options;
+  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  if (!arguments.overwrite) {
+    refuse_existing(arguments.output);
+    refuse_existing(arguments.picture);
+  }
+  io::check_writable(arguments.output, write_options);
+  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, write_options.existing);
+
+  Summary summary;
+  ProgressLine progress(!arguments.quiet);
+  const Stopwatch reading;
+  const std::vector<io::Layer> layers = read_operands(job, arguments, progress);
+  check_same_crs(layers);
+  summary.seconds_read = reading.seconds();
+
+  Options options = arguments.options;
+  options.fill_a = arguments.fill;
+  options.fill_b = arguments.fill_b.value_or(arguments.fill);
+  options.statistics = &summary.statistics;
+  options.collinear = arguments.minimal ? CollinearVertices::drop : CollinearVertices::keep;
+  const RegionSet result = compute(job, layers, options, progress);
+
+  progress.show("writing", 0);
+  const Stopwatch writing;
+  write_options.crs_wkt = layers[0].crs_wkt.empty() ? layers.back().crs_wkt : layers[0].crs_wkt;
+  io::write(arguments.output, result, write_options);
+  summary.seconds_write = writing.seconds();
+
+  if (!arguments.picture.empty()) {
+    progress.show("drawing", 0);
+    const Stopwatch drawing;
+    draw(job, arguments, layers, result);
+    summary.seconds_picture = drawing.seconds();
+  }
+  progress.clear();
+
+  summary.command = job.command;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    summary.operands.push_back(summarise(label(job, k), job.operands[k], layers[k]));
+  summary.output = arguments.output;
+  summary.picture = arguments.picture;
+  summary.crs = io::crs_name(write_options.crs_wkt);
+  summary.engine = options.engine;
+  summary.area = signed_area(result);
+  summary.seconds_total = total.seconds();
+  if (json) {
+    fmt::print("{}\n", to_json(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (!arguments.quiet) {
+    fmt::print(stderr, "{}", to_text(summary));
+  }
+  return exit_done;
+}
+
+}  // namespace oblast::app

@@ -1,0 +1,22 @@
+// The words of the command line for what the library calls by its own types.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <string>
+
+namespace oblast::app {
+
+/// Each throws CLI::ValidationError, which lists the words there are.
+Operation parse_operation(const std::string& word);  ///< intersection | union | difference | symdifference
+Engine parse_engine(const std::string& word);        ///< leonov-nikitin | vatti | skvortsov
+FillRule parse_fill(const std::string& word);        ///< polygons | atleast:K | evenodd | nonzero | positive | negative
+ContourConvention parse_contours(const std::string& word);  ///< ogc | leonov-nikitin
+
+std::string name(Operation operation);
+std::string name(Engine engine);
+std::string name(const FillRule& rule);
+std::string name(ContourConvention convention);
+std::string name(Stage stage);
+
+}  // namespace oblast::app

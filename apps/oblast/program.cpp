@@ -1,0 +1,104 @@
+// The command line and the failures of every command; the commands themselves are a file each.
+#include "oblast/program.h"
+
+#include <fmt/format.h>
+#include <oblast/error.h>
+
+#include <cstdio>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "io/layer.h"
+#include "oblast/command.h"
+#include "oblast/interrupt.h"
+
+namespace oblast::app {
+
+namespace {
+
+constexpr const char* footer = R"(Exit codes: 0 done, 1 the data is at fault, 2 the call is, 130 interrupted.
+`oblast COMMAND --help` tells more and gives an example.)";
+
+int fail(const Invocation& invocation, int code, const std::string& message) {
+  fmt::print(stderr, "oblast: {}\n", message);
+  if (invocation.json) {
+    const nlohmann::ordered_json object{{"error", message}, {"exit_code", code}};
+    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  }
+  return code;
+}
+
+// The innermost command that was named, for messages about the call: "oblast generate fires".
+const CLI::App* named_command(const CLI::App* app) {
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  return app;
+}
+
+std::string full_name(const CLI::App* app) {
+  const CLI::App* parent = app->get_parent();
+  return parent ? full_name(parent) + " " + app->get_name() : "oblast";
+}
+
+// Help and version are asked for; anything else is a fault of the call.
+int after_parse(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    program.exit(error);
+    return exit_done;
+  }
+  const CLI::App* command = named_command(&program);
+  fmt::print(stderr, "{}: {}\n", full_name(command), error.what());
+  fmt::print(stderr, "Try `{} --help`.\n", full_name(command));
+  return exit_call;
+}
+
+int run_command(const Invocation& invocation) {
+  try {
+    return invocation.run();
+  } catch (const CallError& error) {
+    return fail(invocation, exit_call, error.what());
+  } catch (const Interrupted&) {
+    return fail(invocation, exit_interrupted, "interrupted; nothing was written");
+  } catch (const std::bad_alloc&) {
+    return fail(invocation, exit_data,
+                "out of memory: this input needs more than the machine gives; nothing was written");
+  } catch (const Error& error) {
+    return fail(invocation, error.code() == ErrorCode::bad_option ? exit_call : exit_data, error.what());
+  } catch (const std::exception& error) {
+    return fail(invocation, exit_data, error.what());
+  }
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App program{"Overlays of polygons: exact, fast, and valid whatever goes in.", "oblast"};
+  program.set_version_flag("--version", "oblast " OBLAST_VERSION);
+  program.footer(footer);
+  program.require_subcommand(1);
+  Invocation invocation;
+  add_union(program, invocation);
+  add_overlay(program, invocation);
+  add_check(program, invocation);
+  add_generate(program, invocation);
+  add_corpus(program, invocation);
+
+  if (argc <= 1) {
+    fmt::print(stderr, "{}", program.help());
+    return exit_call;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return after_parse(program, error);
+  }
+
+  install_interrupt_handler();
+  const int code = run_command(invocation);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    fmt::print(stderr, "oblast: cannot write to standard output\n");
+    return exit_data;
+  }
+  return code;
+}
+
+}  // namespace oblast::app

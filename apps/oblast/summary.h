@@ -1,0 +1,45 @@
+// What a job did, for a person and for a machine.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/layer.h"
+
+namespace oblast::app {
+
+struct OperandSummary {
+  std::string label;               ///< "A", "B"; "input" where there is only one
+  std::vector<std::string> paths;  ///< as given
+  io::ReadReport report;
+  std::uint64_t files = 0;
+  std::uint64_t polygons = 0;
+  std::uint64_t contours = 0;
+  std::uint64_t vertices = 0;
+};
+
+struct Summary {
+  std::string command;
+  std::vector<OperandSummary> operands;
+  std::string output;
+  std::string picture;  ///< empty: none
+  std::string crs;      ///< name of the coordinate system
+  Engine engine = Engine::leonov_nikitin;
+  Statistics statistics;
+  double area = 0;  ///< squared units of the coordinates
+  double seconds_read = 0;
+  double seconds_write = 0;
+  double seconds_picture = 0;
+  double seconds_total = 0;
+};
+
+OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer);
+
+/// A few lines, the last one ended.
+std::string to_text(const Summary& summary);
+nlohmann::ordered_json to_json(const Summary& summary);
+
+}  // namespace oblast::app

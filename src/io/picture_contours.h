@@ -1,0 +1,30 @@
+// Contours as SVG paths of bounded size.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <cstdint>
+#include <string>
+
+#include "io/picture_frame.h"
+
+namespace oblast::io {
+
+/// One view as drawn in one panel. Paths are in tenths of a pixel.
+struct DrawnContours {
+  std::string polygons;        ///< `<path .../>` for each polygon (each even-odd of its own contours)
+  std::string outlines;        ///< the same contours as the data of one path
+  std::string dots;            ///< path data: squares where contours below a pixel lie
+  std::uint64_t drawn = 0;     ///< contours drawn as they are
+  std::uint64_t gathered = 0;  ///< contours shown as dots
+  std::uint64_t left_out = 0;  ///< contours that would have made the picture too large
+};
+
+/// Which texts are wanted: fills for operands, outlines for results.
+enum class DrawAs { polygons, outlines };
+
+/// Draws what of the view lies in the frame. `dot` is the side of a dot, in pixels. The texts
+/// together stay below about 700,000 bytes: the lattice vertices snap to is coarsened until they do.
+DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot);
+
+}  // namespace oblast::io
