@@ -66,7 +66,10 @@ Strands merge_identical_edges(Strands strands) {
     }
   }
 
+  for (Winding& sum : sums) sum = strands.parity.reduce(sum);
+
   Strands result;
+  result.parity = strands.parity;
   result.points.reserve(points.size());
   std::vector<Merged> merged;
   for (std::size_t s = 0; s < strands.size(); ++s) {

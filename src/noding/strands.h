@@ -28,6 +28,15 @@ struct Winding {
   friend Winding operator-(Winding p) { return {-p.a, -p.b}; }
 };
 
+/// Operands of which only the parity of the winding number counts (even_odd). There a contour's direction
+/// means nothing, so two identical edges cancel whichever way they run.
+struct Parity {
+  bool a = false;
+  bool b = false;
+
+  Winding reduce(Winding w) const { return {a ? w.a & 1 : w.a, b ? w.b & 1 : w.b}; }
+};
+
 /// What is known of a vertex; a set of bits.
 enum VertexFlag : std::uint8_t {
   node_flag = 1,    ///< other edges meet here: a node of the graph
@@ -48,6 +57,7 @@ struct Strands {
   std::vector<std::uint32_t> ends;    ///< by strand: past its last vertex
   std::vector<Winding> change;        ///< by strand
   std::vector<Group> group;           ///< by strand
+  Parity parity;
 
   std::uint32_t begin(std::size_t strand) const { return strand == 0 ? 0 : ends[strand - 1]; }
   std::size_t size() const { return ends.size(); }

@@ -94,7 +94,8 @@ void merge_coincident_chains(ChainGraph& graph) {
     if (same == c) continue;
     chain.merged_into = same;
     const bool same_direction = chains[same].from == chain.from;
-    chains[same].change = chains[same].change + (same_direction ? chain.change : -chain.change);
+    const Winding change = same_direction ? chain.change : -chain.change;
+    chains[same].change = graph.strands.parity.reduce(chains[same].change + change);
   }
 }
 

@@ -123,6 +123,7 @@ Strands collect(const RegionView& a, const RegionView* b, const Options& options
                 Statistics& statistics) {
   const StageClock clock(statistics, Stage::collect);
   Strands strands;
+  strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
   strands.points.reserve(a.points.size() + a.contour_count() + (b ? b->points.size() + b->contour_count() : 0));
   const auto add = [&](const RegionView& operand, bool is_b, const FillRule& rule, Group first_group) {
     if (rule.by_polygon())

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engines/leonov_nikitin/label.h"
+#include "engines/skvortsov/extract.h"
 #include "engines/vatti/label.h"
 #include "noding/merge_identical_edges.h"
 #include "noding/node.h"
@@ -50,6 +51,12 @@ std::vector<Winding> label_stage(const ChainGraph& graph, Engine engine, Control
   }
 }
 
+PipelineResult finish(Rings rings, const Nesting& nesting, const Options& options) {
+  const bool touches =
+      std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
+  return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
+}
+
 }  // namespace
 
 PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
@@ -59,6 +66,14 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
 
   // 2. node
   const ChainGraph graph = node_stage(std::move(strands), control, statistics);
+
+  // 3 to 5 by triangles
+  if (options.engine == Engine::skvortsov) {
+    skvortsov::Extracted extracted = skvortsov::extract(graph, operation, options, control, statistics);
+    control.checkpoint(Stage::assemble, 0);
+    const StageClock clock(statistics, Stage::assemble);
+    return finish(std::move(extracted.rings), extracted.nesting, options);
+  }
 
   // 3. label
   const std::vector<Winding> right = label_stage(graph, options.engine, control, statistics);
@@ -85,9 +100,7 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
   control.checkpoint(Stage::assemble, 0);
   const StageClock clock(statistics, Stage::assemble);
   const Nesting nesting = nest(graph, selection, linked, rings);
-  const bool touches =
-      std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
-  return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
+  return finish(std::move(rings), nesting, options);
 }
 
 }  // namespace oblast

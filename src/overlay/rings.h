@@ -24,6 +24,9 @@ struct Rings {
   std::size_t size() const { return ends.size(); }
 };
 
+/// By node: RingVertex bits of the vertex there. Cost: linear in the chains.
+std::vector<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);
+
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);
 

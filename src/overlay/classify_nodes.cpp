@@ -1,0 +1,151 @@
+// Which vertices of the result noding left behind, and where the result touches itself.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "overlay/rings.h"
+
+namespace oblast {
+namespace {
+
+/// Finds the trace vertices: places added by noding, no vertex of an edge that still changes a winding
+/// number, where the result has just two pieces of one input edge.
+class TraceFinder {
+ public:
+  TraceFinder(const ChainGraph& graph, const Selection& selection)
+      : graph_(graph), selection_(selection), flags_(graph.node_count(), 0) {}
+
+  std::vector<std::uint8_t> run() {
+    flag_touches();
+    find_sources();
+    if (!sources_.empty()) {
+      find_neighbours();
+      part_unrelated_neighbours();
+      check_runs();
+    }
+    return std::move(flags_);
+  }
+
+ private:
+  struct Source {
+    std::uint32_t node;
+    std::uint32_t edge;  ///< input edge whose pieces meet at the node
+
+    friend bool operator==(const Source&, const Source&) = default;
+    friend bool operator<(const Source& p, const Source& q) {
+      return p.node != q.node ? p.node < q.node : p.edge < q.edge;
+    }
+  };
+  struct Neighbours {
+    std::uint32_t node[2] = {none, none};  ///< trace nodes one result edge away
+  };
+
+  bool added(std::uint32_t vertex) const { return (graph_.strands.flags[vertex] & noding::added_flag) != 0; }
+  bool is_selected(const Chain& chain) const { return selection_[chain.merged_into] != none; }
+  bool is_trace(std::uint32_t node) const { return (flags_[node] & trace_vertex) != 0; }
+
+  void flag_touches() {
+    degree_.assign(graph_.node_count(), 0);
+    for (std::uint32_t c = 0; c < selection_.size(); ++c) {
+      if (selection_[c] == none || graph_.chains[c].is_loop()) continue;
+      ++degree_[graph_.chains[c].from];
+      ++degree_[graph_.chains[c].to];
+    }
+    for (std::size_t node = 0; node < flags_.size(); ++node)
+      if (degree_[node] > 2) flags_[node] = touch_vertex;
+  }
+
+  void find_sources() {
+    std::vector<bool> input_vertex(graph_.node_count(), false);
+    for (const Chain& chain : graph_.chains) {
+      if (chain.is_loop() || !graph_.is_live(chain.merged_into)) continue;
+      if (!added(chain.first)) input_vertex[chain.from] = true;
+      if (!added(chain.last)) input_vertex[chain.to] = true;
+    }
+    // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
+    for (std::size_t c = 1; c < graph_.chains.size(); ++c) {
+      const Chain &before = graph_.chains[c - 1], &after = graph_.chains[c];
+      if (before.last != after.first || after.is_loop() || !added(after.first)) continue;
+      const std::uint32_t node = after.from;
+      if (!is_selected(before) || !is_selected(after) || before.merged_into == after.merged_into) continue;
+      if (degree_[node] != 2 || input_vertex[node]) continue;
+      flags_[node] |= trace_vertex;
+      sources_.push_back({node, graph_.strands.origin[after.first]});
+    }
+    std::sort(sources_.begin(), sources_.end());
+    sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
+  }
+
+  std::vector<std::uint32_t> edges_at(std::uint32_t node) const {
+    std::vector<std::uint32_t> edges;
+    for (auto it = std::lower_bound(sources_.begin(), sources_.end(), Source{node, 0});
+         it != sources_.end() && it->node == node; ++it)
+      edges.push_back(it->edge);
+    return edges;
+  }
+
+  static std::vector<std::uint32_t> common(const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q) {
+    std::vector<std::uint32_t> both;
+    std::set_intersection(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
+    return both;
+  }
+
+  void find_neighbours() {
+    neighbours_.assign(graph_.node_count(), {});
+    for (std::uint32_t c = 0; c < selection_.size(); ++c) {
+      const Chain& chain = graph_.chains[c];
+      if (selection_[c] == none || chain.is_loop() || chain.last - chain.first > 1) continue;
+      if (!is_trace(chain.from) || !is_trace(chain.to)) continue;
+      for (const auto& [node, other] : {std::pair{chain.from, chain.to}, std::pair{chain.to, chain.from}})
+        neighbours_[node].node[neighbours_[node].node[0] == none ? 0 : 1] = other;
+    }
+  }
+
+  /// Two neighbours that are traces of different edges hold a corner between them: both stay.
+  void part_unrelated_neighbours() {
+    std::vector<std::uint32_t> stay;
+    for (std::uint32_t node = 0; node < flags_.size(); ++node) {
+      for (const std::uint32_t other : neighbours_[node].node)
+        if (other != none && common(edges_at(node), edges_at(other)).empty()) stay.push_back(node);
+    }
+    for (const std::uint32_t node : stay) flags_[node] &= static_cast<std::uint8_t>(~trace_vertex);
+  }
+
+  /// A run of neighbours is straightened into one edge only if all are traces of one input edge.
+  void check_runs() {
+    std::vector<bool> visited(flags_.size(), false);
+    std::vector<std::uint32_t> run;
+    for (std::uint32_t node = 0; node < flags_.size(); ++node) {
+      if (!is_trace(node) || visited[node]) continue;
+      run.assign(1, node);
+      visited[node] = true;
+      std::vector<std::uint32_t> edges = edges_at(node);
+      for (std::size_t i = 0; i < run.size(); ++i) {
+        for (const std::uint32_t other : neighbours_[run[i]].node) {
+          if (other == none || !is_trace(other) || visited[other]) continue;
+          visited[other] = true;
+          run.push_back(other);
+          edges = common(edges, edges_at(other));
+        }
+      }
+      if (!edges.empty()) continue;
+      for (const std::uint32_t other : run) flags_[other] &= static_cast<std::uint8_t>(~trace_vertex);
+    }
+  }
+
+  const ChainGraph& graph_;
+  const Selection& selection_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<std::uint32_t> degree_;
+  std::vector<Source> sources_;
+  std::vector<Neighbours> neighbours_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection) {
+  return TraceFinder(graph, selection).run();
+}
+
+}  // namespace oblast
