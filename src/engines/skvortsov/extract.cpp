@@ -1,0 +1,68 @@
+#include "engines/skvortsov/extract.h"
+
+#include "engines/skvortsov/classify.h"
+#include "engines/skvortsov/contours.h"
+#include "engines/skvortsov/marked_mesh.h"
+
+namespace oblast::skvortsov {
+namespace {
+
+using triangulation::triangle_of;
+
+Kept kept_triangles(const Classification& classes, const std::vector<bool>& kept_faces) {
+  Kept kept(classes.face.size());
+  for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = kept_faces[classes.face[t]];
+  return kept;
+}
+
+/// The chains between a kept and a dropped triangle, for what the nodes have to know.
+Selection selection_of(const ChainGraph& graph, const MarkedMesh& marked, const Kept& kept) {
+  Selection selection(graph.chains.size(), none);
+  for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
+    const triangulation::HalfEdge h = marked.first_side[c];
+    if (h == none) continue;
+    const bool left = kept[triangle_of(h)], right = kept[triangle_of(marked.mesh.twin(h))];
+    if (left != right) selection[c] = left ? forward(c) : opposite(forward(c));
+  }
+  return selection;
+}
+
+Rings rings_of(const MarkedMesh& marked, const Contours& contours, const std::vector<std::uint8_t>& node_flags) {
+  Rings rings;
+  rings.ends = contours.ends;
+  rings.points.reserve(contours.vertices.size());
+  rings.flags.reserve(contours.vertices.size());
+  for (const std::uint32_t v : contours.vertices) {
+    rings.points.push_back(marked.mesh.points[v]);
+    rings.flags.push_back(marked.node[v] == none ? std::uint8_t{0} : node_flags[marked.node[v]]);
+  }
+  return rings;
+}
+
+}  // namespace
+
+Extracted extract(const ChainGraph& graph, Operation operation, const Options& options, Control& control,
+                  Statistics& statistics) {
+  MarkedMesh marked;
+  Classification classes;
+  {
+    const StageClock clock(statistics, Stage::label);
+    control.checkpoint(Stage::label, 0);
+    marked = mark_mesh(graph);
+    control.checkpoint(Stage::label, 0.8);
+    classes = classify(graph, marked);
+  }
+  control.checkpoint(Stage::select, 0);
+  Kept kept;
+  {
+    const StageClock clock(statistics, Stage::select);
+    kept = kept_triangles(classes, select_faces(classes, operation, options));
+  }
+  control.checkpoint(Stage::link, 0);
+  const StageClock clock(statistics, Stage::link);
+  Contours contours = walk_contours(marked.mesh, kept, options.contours);
+  Rings rings = rings_of(marked, contours, classify_nodes(graph, selection_of(graph, marked, kept)));
+  return {std::move(rings), std::move(contours.nesting)};
+}
+
+}  // namespace oblast::skvortsov

@@ -1,0 +1,268 @@
+#include "triangulation/delaunay.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "exact/in_circle.h"
+#include "exact/orientation.h"
+#include "triangulation/spatial_order.h"
+
+namespace oblast::triangulation {
+namespace {
+
+using exact::in_circle;
+using exact::orientation;
+
+/// Where a point lies: strictly inside a triangle (for a ghost: strictly beyond its hull side), on a side,
+/// or at a vertex.
+struct Place {
+  enum class Kind { inside, on_side, at_vertex };
+  Kind kind;
+  HalfEdge half_edge;  ///< inside: any of the triangle; on_side: that side; at_vertex: one that leaves it
+};
+
+class Insertion {
+ public:
+  explicit Insertion(std::span<const Point> given) : given_(given), order_(spatial_order(given)) {}
+
+  Mesh run() {
+    mesh_.vertex_of.resize(given_.size());
+    mesh_.points.reserve(given_.size());
+    if (first_triangle()) {
+      for (std::size_t i = 3; i < order_.size(); ++i) insert(order_[i]);
+    } else {
+      number_collinear_points();
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  std::uint32_t add_vertex(std::uint32_t index) {
+    const auto v = static_cast<std::uint32_t>(mesh_.points.size());
+    mesh_.points.push_back(given_[index]);
+    return mesh_.vertex_of[index] = v;
+  }
+
+  /// Brings three points that are not collinear to the front of the order. False when there are none.
+  bool find_three() {
+    const auto point = [&](std::size_t i) -> const Point& { return given_[order_[i]]; };
+    const std::size_t n = order_.size();
+    std::size_t second = 1;
+    while (second < n && point(second) == point(0)) ++second;
+    if (second >= n) return false;
+    std::swap(order_[1], order_[second]);
+    std::size_t third = 2;
+    while (third < n && orientation(point(0), point(1), point(third)) == 0) ++third;
+    if (third >= n) return false;
+    std::swap(order_[2], order_[third]);
+    if (orientation(point(0), point(1), point(2)) < 0) std::swap(order_[0], order_[1]);
+    return true;
+  }
+
+  bool first_triangle() {
+    if (!find_three()) return false;
+    mesh_.triangles.reserve(2 * given_.size());
+    const std::uint32_t a = add_vertex(order_[0]), b = add_vertex(order_[1]), c = add_vertex(order_[2]);
+    // Triangle 0, and the ghosts 1, 2, 3 beyond its sides 0, 1, 2.
+    mesh_.triangles.push_back({{a, b, c}, 0, {half_edge(1, 0), half_edge(2, 0), half_edge(3, 0)}, 0});
+    mesh_.triangles.push_back({{b, a, infinite_vertex}, 0, {half_edge(0, 0), half_edge(3, 2), half_edge(2, 1)}, 0});
+    mesh_.triangles.push_back({{c, b, infinite_vertex}, 0, {half_edge(0, 1), half_edge(1, 2), half_edge(3, 1)}, 0});
+    mesh_.triangles.push_back({{a, c, infinite_vertex}, 0, {half_edge(0, 2), half_edge(2, 2), half_edge(1, 1)}, 0});
+    return true;
+  }
+
+  void number_collinear_points() {
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(given_[i], given_[j]); });
+    for (const std::uint32_t index : order_) {
+      if (mesh_.points.empty() || mesh_.points.back() != given_[index])
+        add_vertex(index);
+      else
+        mesh_.vertex_of[index] = static_cast<std::uint32_t>(mesh_.points.size() - 1);
+    }
+  }
+
+  void insert(std::uint32_t index) {
+    const Place place = locate(given_[index]);
+    if (place.kind == Place::Kind::at_vertex) {
+      mesh_.vertex_of[index] = mesh_.origin(place.half_edge);
+      last_ = triangle_of(place.half_edge);
+      return;
+    }
+    const std::uint32_t v = add_vertex(index);
+    if (place.kind == Place::Kind::inside)
+      part_triangle(triangle_of(place.half_edge), v);
+    else
+      part_side(place.half_edge, v);
+    flip_illegal(v);
+  }
+
+  /// Walks from the last triangle, at each step across a side that has p strictly on its right. In a Delaunay
+  /// triangulation such a walk cannot come round: the power of p with respect to the circles falls.
+  Place locate(const Point& p) const {
+    const Mesh& m = mesh_;
+    const Triangle* t = &m.triangles[last_];
+    HalfEdge at = half_edge(last_, 0);  // the side come by, which has p strictly on its left
+    if (t->is_ghost()) {
+      at = half_edge(last_, t->vertex[0] == infinite_vertex ? 1 : t->vertex[1] == infinite_vertex ? 2 : 0);
+      at = m.twin(at);
+      t = &m.triangles[triangle_of(at)];
+    }
+    int first = orientation(m.points[m.origin(at)], m.points[m.target(at)], p);
+    if (first < 0) {
+      at = m.twin(at);
+      t = &m.triangles[triangle_of(at)];
+      first = 1;
+      if (t->is_ghost()) return {Place::Kind::inside, at};
+    }
+    for (;;) {
+      const HalfEdge right = next(at), left = previous(at);
+      const Point &a = m.points[m.origin(at)], &b = m.points[m.origin(right)], &c = m.points[m.origin(left)];
+      const int beyond_right = orientation(b, c, p);
+      const int beyond_left = beyond_right < 0 ? 1 : orientation(c, a, p);
+      if (beyond_right >= 0 && beyond_left >= 0) return settled(at, first, beyond_right, beyond_left);
+      at = m.twin(beyond_right < 0 ? right : left);
+      first = 1;
+      t = &m.triangles[triangle_of(at)];
+      if (t->is_ghost()) return {Place::Kind::inside, at};
+    }
+  }
+
+  /// The point is on no side's right; `s0`, `s1`, `s2` are the orientations with `at` and the sides after it.
+  static Place settled(HalfEdge at, int s0, int s1, int s2) {
+    const HalfEdge h1 = next(at), h2 = previous(at);
+    if (s0 == 0 && s1 == 0) return {Place::Kind::at_vertex, h1};
+    if (s1 == 0 && s2 == 0) return {Place::Kind::at_vertex, h2};
+    if (s2 == 0 && s0 == 0) return {Place::Kind::at_vertex, at};
+    if (s0 == 0) return {Place::Kind::on_side, at};
+    if (s1 == 0) return {Place::Kind::on_side, h1};
+    if (s2 == 0) return {Place::Kind::on_side, h2};
+    return {Place::Kind::inside, at};
+  }
+
+  std::uint32_t add_triangle() {
+    mesh_.triangles.push_back({});
+    return static_cast<std::uint32_t>(mesh_.triangles.size() - 1);
+  }
+
+  /// The triangle (p, a, b), which has p at its vertex 0; its side 1 is to be tested. The twins of sides 0
+  /// and 2 are set by the caller.
+  void make(std::uint32_t t, std::uint32_t p, std::uint32_t a, std::uint32_t b, HalfEdge beyond) {
+    Triangle& made = mesh_.triangles[t];
+    made.vertex[0] = p;
+    made.vertex[1] = a;
+    made.vertex[2] = b;
+    made.twin[1] = beyond;
+    mesh_.set_twin(beyond, half_edge(t, 1));
+    suspects_.push_back(t);
+  }
+
+  /// Side 2 of `before` and side 0 of `after` are the same.
+  void join_around(std::uint32_t before, std::uint32_t after) {
+    mesh_.triangles[before].twin[2] = half_edge(after, 0);
+    mesh_.triangles[after].twin[0] = half_edge(before, 2);
+  }
+
+  ///        c
+  ///       /|\          three triangles with p at vertex 0, one a side
+  ///      / p \         .
+  ///     a --- b
+  void part_triangle(std::uint32_t t, std::uint32_t p) {
+    const Triangle old = mesh_.triangles[t];
+    const std::uint32_t u = add_triangle(), w = add_triangle();
+    make(t, p, old.vertex[0], old.vertex[1], old.twin[0]);
+    make(u, p, old.vertex[1], old.vertex[2], old.twin[1]);
+    make(w, p, old.vertex[2], old.vertex[0], old.twin[2]);
+    join_around(t, u);
+    join_around(u, w);
+    join_around(w, t);
+  }
+
+  ///        c
+  ///       /|\          p on the side from a to b: four triangles
+  ///     a--p--b        .
+  ///       \|/
+  ///        d
+  void part_side(HalfEdge h, std::uint32_t p) {
+    const HalfEdge g = mesh_.twin(h);
+    const std::uint32_t a = mesh_.origin(h), b = mesh_.origin(g), c = mesh_.apex(h), d = mesh_.apex(g);
+    const HalfEdge bc = mesh_.twin(next(h)), ca = mesh_.twin(previous(h));
+    const HalfEdge ad = mesh_.twin(next(g)), db = mesh_.twin(previous(g));
+    const std::uint32_t t = triangle_of(h), u = triangle_of(g), v = add_triangle(), w = add_triangle();
+    make(t, p, b, c, bc);
+    make(v, p, c, a, ca);
+    make(u, p, a, d, ad);
+    make(w, p, d, b, db);
+    join_around(t, v);
+    join_around(v, u);
+    join_around(u, w);
+    join_around(w, t);
+  }
+
+  /// Lawson's flips. All suspects have the new point p at vertex 0:
+  ///
+  ///        b                   b
+  ///      / | \               / u \      t = (p, a, b) and u = (b, a, c) become
+  ///    p t | u c    ->     p ----- c    t = (p, a, c) and u = (p, c, b)
+  ///      \ | /               \ t /      .
+  ///        a                   a
+  void flip_illegal(std::uint32_t p) {
+    std::uint32_t t = 0;
+    while (!suspects_.empty()) {
+      t = suspects_.back();
+      suspects_.pop_back();
+      for (;;) {
+        const HalfEdge g = mesh_.triangles[t].twin[1];
+        const std::uint32_t c = mesh_.apex(g);
+        if (!is_illegal(mesh_.triangles[t], p, c)) break;
+        const std::uint32_t u = triangle_of(g);
+        Triangle& low = mesh_.triangles[t];
+        Triangle& high = mesh_.triangles[u];
+        const HalfEdge ac = high.twin[side_of(next(g))], cb = high.twin[side_of(previous(g))];
+        const std::uint32_t b = low.vertex[2];
+        const HalfEdge after = low.twin[2];
+        high.vertex[0] = p;
+        high.vertex[1] = c;
+        high.vertex[2] = b;
+        high.twin[0] = half_edge(t, 2);
+        high.twin[1] = cb;
+        high.twin[2] = after;
+        mesh_.set_twin(cb, half_edge(u, 1));
+        mesh_.set_twin(after, half_edge(u, 2));
+        low.vertex[2] = c;
+        low.twin[1] = ac;
+        low.twin[2] = half_edge(u, 0);
+        mesh_.set_twin(ac, half_edge(t, 1));
+        suspects_.push_back(u);
+      }
+    }
+    last_ = t;
+  }
+
+  /// Is c inside the circle of t = (p, a, b)? The circle of a ghost is the half-plane beyond its hull side.
+  bool is_illegal(const Triangle& t, std::uint32_t p, std::uint32_t c) const {
+    const std::uint32_t a = t.vertex[1], b = t.vertex[2];
+    const auto& points = mesh_.points;
+    if (((a | b | c) >> 31) == 0) return in_circle(points[p], points[a], points[b], points[c]) > 0;
+    if (c == infinite_vertex) return false;
+    // t and its neighbour are ghosts with the sides (b, p) and (c, b), or (p, a) and (a, c): p may see the
+    // neighbour's side too.
+    if (a == infinite_vertex) return orientation(points[c], points[b], points[p]) > 0;
+    return orientation(points[a], points[c], points[p]) > 0;
+  }
+
+  std::span<const Point> given_;
+  std::vector<std::uint32_t> order_;
+  Mesh mesh_;
+  std::vector<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
+  std::uint32_t last_ = 0;               ///< where the next walk begins
+};
+
+}  // namespace
+
+Mesh delaunay(std::span<const Point> points) {
+  assert(points.size() < (1U << 29));
+  return Insertion(points).run();
+}
+
+}  // namespace oblast::triangulation
