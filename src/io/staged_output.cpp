@@ -25,12 +25,15 @@ namespace fs = std::filesystem;
 struct UnfinishedOutput {
   std::vector<std::string> files;
   std::string folder;
+  UnfinishedOutput* next_abandoned = nullptr;
 };
 
 namespace {
 
 // Outputs under way, a few at a time. One that finds no free slot is merely not discarded on interruption.
 std::array<std::atomic<UnfinishedOutput*>, 64> unfinished_outputs;
+
+std::atomic<UnfinishedOutput*> abandoned = nullptr;
 
 void remember(UnfinishedOutput* output) {
   for (auto& slot : unfinished_outputs) {
@@ -84,7 +87,13 @@ StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files
 StagedOutput::~StagedOutput() {
   std::error_code error;
   fs::remove_all(folder_, error);
-  if (forget(unfinished_)) delete unfinished_;  // else a signal handler is at work with it
+  if (forget(unfinished_)) {
+    delete unfinished_;
+  } else {  // a signal handler may be at work with it: never freed
+    unfinished_->next_abandoned = abandoned;
+    while (!abandoned.compare_exchange_weak(unfinished_->next_abandoned, unfinished_)) {
+    }
+  }
 }
 
 void StagedOutput::commit() {
