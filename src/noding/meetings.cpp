@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "noding/pair_finder.h"
@@ -28,21 +29,33 @@ double round_to_multiple(double value, double unit, double low, double high) {
   return std::clamp(in_domain(rounded) ? rounded + 0.0 : 0.0, low, high);
 }
 
-/// x, where (a, b) and (c, d) cross, rounded further: see PointRounding.
-Point round_further(const Point& x, const Point& a, const Point& b, const Point& c, const Point& d, int doublings) {
+/// The unit in the last place of the largest coordinate.
+double largest_ulp(std::initializer_list<Point> points) {
   double largest = 0;
-  for (const Point* p : {&a, &b, &c, &d}) largest = std::max({largest, std::fabs(p->x), std::fabs(p->y)});
-  const double unit = std::ldexp(1.0, std::ilogb(largest) - 52 + doublings);
+  for (const Point& p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  return std::ldexp(1.0, std::ilogb(largest) - 52);
+}
+
+/// x, where (a, b) and (c, d) cross, as a multiple of the unit in the boxes of both.
+Point round_further(const Point& x, const Point& a, const Point& b, const Point& c, const Point& d, double unit) {
   const Box p = Box::of(a, b), q = Box::of(c, d);
   return {round_to_multiple(x.x, unit, std::max(p.x0, q.x0), std::min(p.x1, q.x1)),
           round_to_multiple(x.y, unit, std::max(p.y0, q.y0), std::min(p.y1, q.y1))};
 }
 
+/// Distance of p from the line (a, b), the same bits for (b, a).
+double distance_from_line(const Point& p, Point a, Point b) {
+  if (lexicographically_less(b, a)) std::swap(a, b);
+  using exact::difference;
+  const auto cross = difference(b.x, a.x) * difference(p.y, a.y) - difference(b.y, a.y) * difference(p.x, a.x);
+  return std::fabs(cross.estimate()) / std::hypot(b.x - a.x, b.y - a.y);
+}
+
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, PointRounding rounding, std::vector<EdgeCut>& cuts)
-      : strands_(strands), rounding_(rounding), cuts_(cuts) {}
+  MeetingTest(Strands& strands, Settling settling, std::vector<EdgeCut>& cuts)
+      : strands_(strands), settling_(settling), cuts_(cuts) {}
 
   /// Every edge of one run against every edge of the other whose boxes meet.
   void test_runs(const RunPair& pair) {
@@ -69,10 +82,7 @@ class MeetingTest {
       const int a_side = orientation(c, d, a), b_side = orientation(c, d, b);
       if (a_side * b_side > 0) return;
       if (a_side != 0 && b_side != 0) {
-        Point x = exact::intersection_point(a, b, c, d);
-        if (rounding_.doublings >= 0) x = round_further(x, a, b, c, d, rounding_.doublings);
-        meet_at(i, x);
-        meet_at(j, x);
+        cross(i, j);
         return;
       }
       if (a_side == 0) vertex_on_edge(i, a, j);
@@ -88,6 +98,33 @@ class MeetingTest {
       mark_fold(i + 1, b, a, j, c, d);
       mark_fold(i, a, b, j + 1, d, c);
     }
+  }
+
+  /// Edges i and j cross inside both.
+  void cross(std::uint32_t i, std::uint32_t j) {
+    const auto& points = strands_.points;
+    const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+    if (settling_.tolerance > 0) {
+      const double tolerance = settling_.tolerance * largest_ulp({a, b, c, d});
+      bool settled = false;
+      for (const std::uint32_t v : {i, i + 1}) settled |= settle_at(v, j, tolerance);
+      for (const std::uint32_t v : {j, j + 1}) settled |= settle_at(v, i, tolerance);
+      if (settled) return;
+    }
+    Point x = exact::intersection_point(a, b, c, d);
+    if (settling_.doublings >= 0)
+      x = round_further(x, a, b, c, d, std::ldexp(largest_ulp({a, b, c, d}), settling_.doublings));
+    meet_at(i, x);
+    meet_at(j, x);
+  }
+
+  /// Lets the edge pass through a vertex that is near it.
+  bool settle_at(std::uint32_t vertex, std::uint32_t edge, double tolerance) {
+    const Point &p = strands_.points[vertex], &a = strands_.points[edge], &b = strands_.points[edge + 1];
+    if (!in_box(p, a, b) || distance_from_line(p, a, b) > tolerance) return false;
+    mark(vertex);
+    cuts_.push_back({edge, p});
+    return true;
   }
 
   /// Edges that follow one another and fold back:  u --- v === tip. The tip is a node, so that the
@@ -139,18 +176,18 @@ class MeetingTest {
   }
 
   Strands& strands_;
-  PointRounding rounding_;
+  Settling settling_;
   std::vector<EdgeCut>& cuts_;
 };
 
 }  // namespace
 
-std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, PointRounding rounding,
+std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint) {
   tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
   find_pairs(strands.points, runs, [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    MeetingTest test(strands, rounding, found.local());
+    MeetingTest test(strands, settling, found.local());
     for (const RunPair& pair : pairs) test.test_runs(pair);
   });
 

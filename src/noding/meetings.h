@@ -1,6 +1,7 @@
 // Meetings: where edges meet, and so where they must be cut.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -17,19 +18,24 @@ struct EdgeCut {
   Point at;
 };
 
-/// How new points are rounded in a round of noding.
+/// How a round of noding settles a crossing.
 ///
-/// The first three rounds round to the nearest double. That alone need not end soon: near 0 doubles are so dense
-/// that a crossing can creep towards an axis for thousands of rounds, each bending an edge by an ulp of the
-/// other coordinate. So from the fourth round on a new point is rounded further, to multiples of a
-/// unit, and kept in the boxes of both edges: the unit is the ulp of the largest coordinate of the two
-/// edges, doubled every round. Once it exceeds the boxes no new coordinate appears at all.
-struct PointRounding {
-  int doublings = -1;  ///< of the ulp; negative: nearest double
+/// The first two rounds put a new vertex at every crossing, rounded to the nearest double. Where edges run within an
+/// ulp of each other, that alone need not end soon: each rounded vertex tilts its edges, the tilted
+/// pieces cross their neighbours anew somewhere else, and near 0, where doubles are dense, a crossing can creep
+/// towards an axis for thousands of rounds. So from the third round on a crossing that has an end of one edge within
+/// `tolerance` of the other is settled there, at a vertex that exists already: no new vertex, so no new tilt. Should
+/// even that go on, tolerance and unit of rounding double every round until no new coordinate can appear.
+struct Settling {
+  double tolerance = 0;  ///< in ulps of the largest coordinate of the two edges; 0: always a new vertex
+  int doublings = -1;    ///< new vertices are multiples of that ulp, doubled so often; negative: nearest double
 
-  static PointRounding of_round(std::uint64_t round) {
-    constexpr std::uint64_t last_nearest = 3;
-    return {round <= last_nearest ? -1 : static_cast<int>(round - last_nearest - 1)};
+  static Settling of_round(std::uint64_t round) {
+    constexpr std::uint64_t last_nearest = 2, last_patient = 24;
+    if (round <= last_nearest) return {};
+    if (round <= last_patient) return {2, -1};
+    const int doublings = static_cast<int>(round - last_patient);
+    return {std::ldexp(2, doublings), doublings};
   }
 };
 
@@ -38,7 +44,7 @@ struct PointRounding {
 /// the vertex that lies there, if any, flagged. The cuts come sorted by edge and along it, each once: a
 /// function of the set of edges alone.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
-std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, PointRounding rounding,
+std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint = {});
 
 }  // namespace oblast::noding

@@ -58,7 +58,7 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   for (Grouping grouping = Grouping::by_strand;; grouping = Grouping::by_moved) {
     const std::vector<Run> runs = monotone_runs(strands, grouping);
     ++report.rounds;
-    const std::vector<EdgeCut> cuts = find_meetings(strands, runs, PointRounding::of_round(report.rounds), checkpoint);
+    const std::vector<EdgeCut> cuts = find_meetings(strands, runs, Settling::of_round(report.rounds), checkpoint);
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

@@ -4,8 +4,8 @@
 //   a --------------------- b        the straightened edge, kept if it meets nothing else
 //
 // All straightened edges are tried at once; those that meet another edge of the result other than at an
-// end get their vertices back, all at once, until none does. So the outcome is a function of the
-// result alone, and promise G2 holds.
+// end, or that would pass over a vertex of it, get their vertices back, all at once, until none does. So the
+// outcome is a function of the result alone, and promise G2 holds.
 #include <algorithm>
 #include <atomic>
 
@@ -70,32 +70,110 @@ Straightened straighten(const Rings& rings) {
   return s;
 }
 
-/// Straightened edges in conflict, by the index of their first vertex in the rings.
-std::vector<std::uint32_t> find_conflicts(const Straightened& s) {
-  const auto& points = s.strands.points;
-  std::vector<std::uint8_t> conflict(points.size(), 0);
-  const auto runs = noding::monotone_runs(s.strands, noding::Grouping::by_moved);
-  const auto set = [&](std::uint32_t edge) {
-    if (s.strands.flags[edge] & noding::moved_flag) std::atomic_ref(conflict[edge]).store(1, std::memory_order_relaxed);
-  };
-  noding::find_pairs(points, runs, [&](std::span<const noding::RunPair> pairs) {
-    for (const noding::RunPair& pair : pairs) {
-      for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
-        const noding::Box box = noding::Box::of(points[i], points[i + 1]);
-        for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j) {
-          if (!box.meets(noding::Box::of(points[j], points[j + 1]))) continue;
-          if (!in_conflict(points[i], points[i + 1], points[j], points[j + 1])) continue;
-          set(i);
-          set(j);
+/// Finds the straightened edges in conflict with the rest of the result.
+class ConflictFinder {
+ public:
+  ConflictFinder(const Rings& rings, const Straightened& straightened)
+      : rings_(rings), s_(straightened), points_(straightened.strands.points), conflict_(points_.size(), 0) {}
+
+  /// By the index of the edge's first vertex in the rings.
+  std::vector<std::uint32_t> run() {
+    noding::find_pairs(points_, runs(), [&](std::span<const noding::RunPair> pairs) {
+      for (const noding::RunPair& pair : pairs) {
+        for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
+          const noding::Box box = box_of(i);
+          for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j)
+            if (box.meets(box_of(j))) test(i, j);
         }
       }
+    });
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t e = 0; e < conflict_.size(); ++e)
+      if (conflict_[e] || (is_straightened(e) && leaves_box(e))) found.push_back(s_.from[e]);
+    return found;
+  }
+
+ private:
+  bool is_straightened(std::uint32_t edge) const { return (s_.strands.flags[edge] & noding::moved_flag) != 0; }
+  noding::Box box_of(std::uint32_t edge) const { return noding::Box::of(points_[edge], points_[edge + 1]); }
+
+  /// Each straightened edge is a run of its own, so that it is tested against its neighbours too.
+  std::vector<noding::Run> runs() const {
+    std::vector<noding::Run> single;
+    for (const noding::Run& run : noding::monotone_runs(s_.strands, noding::Grouping::by_moved)) {
+      if (run.group != noding::any_group) {
+        single.push_back(run);
+        continue;
+      }
+      for (std::uint32_t e = run.first; e < run.last; ++e) single.push_back({box_of(e), e, e + 1, run.group});
     }
-  });
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t e = 0; e < conflict.size(); ++e)
-    if (conflict[e]) found.push_back(s.from[e]);
-  return found;
-}
+    return single;
+  }
+
+  void test(std::uint32_t i, std::uint32_t j) {
+    if (in_conflict(points_[i], points_[i + 1], points_[j], points_[j + 1])) {
+      set(i);
+      set(j);
+      return;
+    }
+    if (passes_over_end(i, j)) set(i);
+    if (passes_over_end(j, i)) set(j);
+  }
+
+  void set(std::uint32_t edge) {
+    if (is_straightened(edge)) std::atomic_ref(conflict_[edge]).store(1, std::memory_order_relaxed);
+  }
+
+  bool passes_over_end(std::uint32_t edge, std::uint32_t other) const {
+    if (!is_straightened(edge)) return false;
+    for (const Point& p : {points_[other], points_[other + 1]})
+      if (p != points_[edge] && p != points_[edge + 1] && passes_over(edge, p)) return true;
+    return false;
+  }
+
+  /// Calls visit for the vertices from the edge's first to its last, those taken out included.
+  template <class Visit>
+  void for_each_vertex(std::uint32_t edge, const Visit& visit) const {
+    const std::uint32_t from = s_.from[edge], to = s_.from[edge + 1];
+    const auto ring =
+        static_cast<std::size_t>(std::upper_bound(rings_.ends.begin(), rings_.ends.end(), from) - rings_.ends.begin());
+    std::uint32_t v = from;
+    do {
+      visit(rings_.points[v]);
+      v = v + 1 == rings_.ends[ring] ? rings_.begin(ring) : v + 1;
+    } while (v != to);
+    visit(rings_.points[to]);
+  }
+
+  /// p lies between the straightened edge and the pieces it replaces: an upward ray crosses them an odd number
+  /// of times together.
+  bool passes_over(std::uint32_t edge, const Point& p) const {
+    bool inside = false;
+    const auto cross = [&](const Point& u, const Point& v) {
+      if ((u.x <= p.x) == (v.x <= p.x)) return;
+      inside ^= orientation(u, v, p) == (u.x < v.x ? -1 : 1);
+    };
+    const Point* before = nullptr;
+    for_each_vertex(edge, [&](const Point& v) {
+      if (before) cross(*before, v);
+      before = &v;
+    });
+    cross(points_[edge + 1], points_[edge]);
+    return inside;
+  }
+
+  /// The pieces are looked for by the box of the edge, so they must not leave it.
+  bool leaves_box(std::uint32_t edge) const {
+    bool leaves = false;
+    for_each_vertex(edge, [&](const Point& v) { leaves |= !box_of(edge).meets(noding::Box::of(v, v)); });
+    return leaves;
+  }
+
+  const Rings& rings_;
+  const Straightened& s_;
+  const std::vector<Point>& points_;
+  std::vector<std::uint8_t> conflict_;
+};
 
 /// Gives the trace vertices after `vertex` back, up to the next that stays.
 void restore_after(Rings& rings, std::uint32_t vertex) {
@@ -128,7 +206,8 @@ Rings without(const Rings& rings, const Drop& drop) {
 Rings remove_traces(Rings rings, CollinearVertices collinear) {
   const auto is_trace = [](std::uint8_t f) { return (f & trace_vertex) != 0; };
   while (std::any_of(rings.flags.begin(), rings.flags.end(), is_trace)) {
-    const std::vector<std::uint32_t> conflicts = find_conflicts(straighten(rings));
+    const Straightened straightened = straighten(rings);
+    const std::vector<std::uint32_t> conflicts = ConflictFinder(rings, straightened).run();
     if (conflicts.empty()) {
       rings = without(rings, [&](std::size_t, std::uint32_t v) { return is_trace(rings.flags[v]); });
       break;
