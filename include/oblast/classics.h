@@ -1,0 +1,87 @@
+// The classic methods of Skvortsov 2002, section 2: each on its own domain, the same bytes as `overlay`.
+//
+// Each function checks its domain first and throws Error(precondition) outside it, never gives a wrong
+// answer. The error says which contour and which vertex are at fault and which method to use instead; its
+// Place has the same as indices. Inside the domain every degenerate meeting (vertex on edge, vertex on
+// vertex, shared edges) is decided by exact predicates, and the result is, byte for byte, what
+// `overlay` gives.
+#pragma once
+
+#include <oblast/error.h>
+#include <oblast/options.h>
+#include <oblast/region_set.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace oblast {
+
+enum class ClassicMethod { orourke, sutherland_hodgman, weiler_atherton, margalit_knott };
+
+/// What a classic did. Filled when a pointer to one is given.
+struct ClassicReport {
+  std::uint64_t steps = 0;     ///< advances (O'Rourke), half-planes (Sutherland-Hodgman); 0 for the others
+  std::uint64_t meetings = 0;  ///< points at which the boundaries of A and B meet
+  /// Some meeting lies so close to another vertex or edge (within 2^-46 of the largest coordinate) that
+  /// rounding it might change what meets what. The method then hands its operands to the settled noding
+  /// of `overlay`, which repeats rounding until nothing changes.
+  bool handed_over = false;
+};
+
+/// O'Rourke, Chien, Olson and Naddor 1982: convex with convex.
+/// Domain: each operand one convex contour, either direction, straight vertices allowed; intersection,
+/// union, difference. Cost: at most 2(n1 + n2) advances, O(n1 + n2) time, and O(k log k) to order k meetings.
+/// Throws Error: precondition, and as `overlay`.
+RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr);
+
+/// Sutherland and Hodgman 1974: `subject` clipped to a convex window; intersection only.
+/// Domain: the window is one convex contour of m sides; the subject is one general polygon, that is, any
+/// contours read by even-odd, or several polygons that meet each other nowhere but at vertices. What
+/// crosses itself in the subject is resolved first, since a result must be closed.
+/// Cost: O(m n log n) worst, O(m n) where few edges cross the window; O(n log n) to see that the subject is simple.
+/// Throws Error: precondition, and as `overlay`.
+RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window, ClassicReport* report = nullptr);
+
+/// Weiler and Atherton 1977: regular polygons with oriented contours; holes allowed.
+/// Domain: in each operand edges meet at their ends only, and the interior is on one and the same side
+/// of every contour as it is directed: left of all or right of all. Contours are read as directed, however
+/// they are grouped into polygons. Intersection, union, difference. Cost: O((n + k) log n), k meetings.
+/// Throws Error: precondition, and as `overlay`.
+RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation,
+                          ClassicReport* report = nullptr);
+
+/// Margalit and Knott 1989: vertex-complete polygons.
+/// Domain: each operand one contour, either direction, any two edges of which are disjoint, or meet at
+/// their ends only, or coincide: keyholes and figures of eight are admitted. Read by even-odd.
+/// Intersection, union, difference. Cost: O((n + k) log n): the improvement Table 1 calls theoretical.
+/// Throws Error: precondition, and as `overlay`.
+RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation,
+                         ClassicReport* report = nullptr);
+
+/// One of the above by its name. Throws Error(precondition) for an operation the method does not have.
+RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
+                  ClassicReport* report = nullptr);
+
+/// A convex window prepared once, to clip millions of polygons: Sutherland and Hodgman with the window's
+/// sides at hand, polygons wholly inside or outside told by their box. May be used from several
+/// threads at once.
+class ClipWindow {
+ public:
+  /// The contour of `window`. Domain and errors as the window of `sutherland_hodgman`.
+  explicit ClipWindow(const RegionView& window);
+  /// REQUIRES: x0 < x1, y0 < y1; else throws Error(precondition).
+  ClipWindow(double x0, double y0, double x1, double y1);
+  ~ClipWindow();
+  ClipWindow(ClipWindow&&) noexcept;
+  ClipWindow& operator=(ClipWindow&&) noexcept;
+
+  /// The same as sutherland_hodgman(subject, window). Cost: O(n) for polygons whose box misses the
+  /// window or lies in it, else as there.
+  RegionSet clip(const RegionView& subject, ClassicReport* report = nullptr) const;
+
+ private:
+  struct Prepared;
+  std::unique_ptr<const Prepared> prepared_;
+};
+
+}  // namespace oblast

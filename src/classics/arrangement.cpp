@@ -1,0 +1,142 @@
+#include "classics/arrangement.h"
+
+#include <algorithm>
+
+#include "classics/clearance.h"
+#include "engines/leonov_nikitin/label.h"
+#include "exact/orientation.h"
+#include "noding/insert_cuts.h"
+#include "noding/meetings.h"
+
+namespace oblast::classics {
+namespace {
+
+using noding::Group;
+using noding::Strands;
+using noding::Winding;
+
+void append(const std::vector<Ring>& rings, Winding change, Group group, Strands& strands) {
+  for (const Ring& ring : rings) {
+    const std::size_t first = strands.points.size();
+    strands.points.insert(strands.points.end(), ring.points.begin(), ring.points.end());
+    strands.points.push_back(ring.points[0]);
+    strands.close_strand(change, group);
+    strands.flags.resize(strands.points.size(), 0);
+    strands.flags[first] = strands.flags.back() = noding::closed_flag;
+  }
+}
+
+/// A closed strand with a node begins and ends with one.
+void flag_ends(Strands& strands) {
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    const auto first = strands.flags.begin() + strands.begin(s), last = strands.flags.begin() + strands.ends[s] - 1;
+    if (std::none_of(first, last + 1, [](std::uint8_t f) { return (f & noding::node_flag) != 0; })) continue;
+    *first |= noding::node_flag;
+    *last |= noding::node_flag;
+  }
+}
+
+std::vector<noding::EdgeCut> meetings_of(Strands& strands) {
+  const auto runs = noding::monotone_runs(strands, noding::Grouping::by_strand);
+  return noding::find_meetings(strands, runs, {});
+}
+
+/// Flags for is_clear(): added are the rounded crossings only, moved the pieces that end at one. A cut is not a
+/// rounded crossing where a vertex of the input lies there, exactly on the edge that was cut.
+Strands flagged_for_clearance(const ChainGraph& graph, const std::vector<Point>& input) {
+  std::vector<bool> has_input(graph.node_count(), false);
+  for (const Chain& chain : graph.chains)
+    if (!chain.is_loop() && !(graph.strands.flags[chain.first] & noding::added_flag)) has_input[chain.from] = true;
+  Strands flagged = graph.strands;
+  for (std::uint8_t& f : flagged.flags) f &= static_cast<std::uint8_t>(~(noding::added_flag | noding::moved_flag));
+  for (const Chain& chain : graph.chains) {
+    if (chain.is_loop() || !(graph.strands.flags[chain.first] & noding::added_flag)) continue;
+    const std::uint32_t edge = graph.strands.origin[chain.first];
+    const bool exact =
+        has_input[chain.from] && exact::orientation(input[edge], input[edge + 1], graph.point(chain.first)) == 0;
+    if (!exact) flagged.flags[chain.first] |= noding::added_flag;
+  }
+  for (std::size_t v = 0; v + 1 < flagged.flags.size(); ++v)
+    if ((flagged.flags[v] | flagged.flags[v + 1]) & noding::added_flag) flagged.flags[v] |= noding::moved_flag;
+  return flagged;
+}
+
+}  // namespace
+
+OwnMeetings find_own_meetings(const std::vector<Ring>& rings) {
+  OwnMeetings found;
+  Strands strands;
+  append(rings, {1, 0}, noding::any_group, strands);
+  const auto locate = [&](std::uint32_t vertex, std::uint32_t& ring, std::uint32_t& at) {
+    ring = static_cast<std::uint32_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), vertex) -
+                                      strands.ends.begin());
+    at = vertex - strands.begin(ring);
+  };
+  const auto cuts = meetings_of(strands);
+  if (!cuts.empty()) {
+    locate(cuts.front().edge, found.crossed_ring, found.crossed_vertex);
+    return found;
+  }
+  found.touches = std::any_of(strands.flags.begin(), strands.flags.end(),
+                              [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
+  flag_ends(strands);
+  found.graph = build_chain_graph(strands);
+  for (std::uint32_t c = 0; c < found.graph.chains.size(); ++c) {
+    if (found.graph.chains[c].merged_into == c) continue;
+    locate(found.graph.chains[c].first, found.doubled_ring, found.doubled_vertex);
+    break;
+  }
+  return found;
+}
+
+OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rings) {
+  OwnMeetings found = find_own_meetings(rings);
+  if (found.crossed_ring != OwnMeetings::nowhere)
+    operand.refuse("another edge crosses the edge from there, or ends inside it", rings[found.crossed_ring].contour,
+                   rings[found.crossed_ring].source[found.crossed_vertex]);
+  if (found.doubled_ring != OwnMeetings::nowhere)
+    operand.refuse("the edge from there coincides with another", rings[found.doubled_ring].contour,
+                   rings[found.doubled_ring].source[found.doubled_vertex]);
+  return found;
+}
+
+void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
+                      bool& interior_left) {
+  const std::vector<Winding> right = leonov_nikitin::label(own.graph);
+  interior_left = right.empty() || right[0].a == 0;
+  for (std::uint32_t c = 0; c < right.size(); ++c) {
+    if (right[c].a == (interior_left ? 0 : -1)) continue;
+    const auto& strands = own.graph.strands;
+    const std::uint32_t first = own.graph.chains[c].first;
+    const auto ring = static_cast<std::size_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), first) -
+                                               strands.ends.begin());
+    operand.refuse(why, rings[ring].contour, rings[ring].source[first - strands.begin(ring)]);
+  }
+}
+
+Arrangement arrange(const std::vector<Ring>& a, bool a_touches, const std::vector<Ring>& b, bool b_touches) {
+  Strands strands;
+  append(a, {1, 0}, a_touches ? noding::any_group : 1, strands);
+  append(b, {0, 1}, b_touches ? noding::any_group : 2, strands);
+  const auto cuts = meetings_of(strands);
+  Strands noded = cuts.empty() ? strands : noding::insert_cuts(strands, cuts);
+  flag_ends(noded);
+  Arrangement arrangement;
+  arrangement.graph = build_chain_graph(std::move(noded));
+  const ChainGraph& graph = arrangement.graph;
+  arrangement.clear = cuts.empty() || is_clear(flagged_for_clearance(graph, strands.points));
+  std::vector<Winding> seen(graph.node_count());
+  for (const Chain& chain : graph.chains) {
+    if (chain.is_loop()) continue;
+    for (const std::uint32_t node : {chain.from, chain.to}) {
+      Winding& at = seen[node];
+      const bool was = at.a != 0 && at.b != 0;
+      if (chain.change.a != 0) at.a = 1;
+      if (chain.change.b != 0) at.b = 1;
+      arrangement.meetings += !was && at.a != 0 && at.b != 0;
+    }
+  }
+  return arrangement;
+}
+
+}  // namespace oblast::classics

@@ -1,0 +1,24 @@
+// The classics by their names.
+#include <oblast/classics.h>
+
+namespace oblast {
+
+RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
+                  ClassicReport* report) {
+  switch (method) {
+    case ClassicMethod::orourke:
+      return orourke(a, b, operation, report);
+    case ClassicMethod::sutherland_hodgman:
+      if (operation != Operation::intersection)
+        throw Error(ErrorCode::precondition,
+                    "Sutherland-Hodgman: the method has the intersection only; use Weiler-Atherton or overlay instead");
+      return sutherland_hodgman(a, b, report);
+    case ClassicMethod::weiler_atherton:
+      return weiler_atherton(a, b, operation, report);
+    case ClassicMethod::margalit_knott:
+      return margalit_knott(a, b, operation, report);
+  }
+  throw Error(ErrorCode::bad_option, "no such method");
+}
+
+}  // namespace oblast

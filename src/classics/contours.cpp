@@ -1,0 +1,87 @@
+#include "classics/contours.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "noding/point_hash.h"
+#include "overlay/assemble.h"
+#include "overlay/chain_graph.h"
+#include "overlay/link.h"
+#include "overlay/nesting.h"
+#include "overlay/rings.h"
+
+namespace oblast::classics {
+namespace {
+
+/// Flags every vertex whose point occurs more than once.
+void flag_repeated(const std::vector<Point>& points, std::vector<std::uint8_t>& flags) {
+  constexpr std::uint32_t free = 0xffffffff;
+  std::vector<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    for (std::uint64_t slot = noding::hash(points[v]);; ++slot) {
+      std::uint32_t& entry = slots[slot & (slots.size() - 1)];
+      if (entry == free) {
+        entry = v;
+        break;
+      }
+      if (points[entry] == points[v]) {
+        flags[entry] = flags[v] = noding::node_flag;
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void Contours::close() {
+  const std::size_t begin = ends_.empty() ? 0 : ends_.back();
+  if (points_.size() - begin < 3)
+    points_.resize(begin);
+  else
+    ends_.push_back(static_cast<std::uint32_t>(points_.size()));
+}
+
+RegionSet Contours::single() const {
+  const auto smallest = std::min_element(points_.begin(), points_.end(), lexicographically_less);
+  RegionSet result;
+  result.points.reserve(points_.size());
+  result.points.assign(smallest, points_.end());
+  result.points.insert(result.points.end(), points_.begin(), smallest);
+  result.contour_ends = {static_cast<std::uint32_t>(points_.size())};
+  result.polygon_ends = {1};
+  return result;
+}
+
+RegionSet Contours::to_region_set() const {
+  if (ends_.empty()) return {};
+  std::vector<std::uint8_t> flags(points_.size(), 0);
+  flag_repeated(points_, flags);
+  const bool touches = std::find(flags.begin(), flags.end(), noding::node_flag) != flags.end();
+  if (ends_.size() == 1 && !touches) return single();
+
+  noding::Strands strands;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends_) {
+    // A closed strand with nodes begins at one.
+    std::uint32_t first = begin;
+    while (first < end && flags[first] == 0) ++first;
+    if (first == end) first = begin;
+    for (std::uint32_t i = 0; i <= end - begin; ++i) {
+      const std::uint32_t v = begin + (first - begin + i) % (end - begin);
+      strands.points.push_back(points_[v]);
+      strands.flags.push_back(flags[v]);
+    }
+    strands.close_strand({1, 0}, noding::any_group);
+    begin = end;
+  }
+  const ChainGraph graph = build_chain_graph(std::move(strands));
+  Selection selection(graph.chains.size(), none);
+  for (std::uint32_t c = 0; c < selection.size(); ++c)
+    if (graph.is_live(c)) selection[c] = forward(c);
+  const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
+  const Rings rings = contours_to_rings(graph, selection, linked);
+  return assemble(rings, nest(graph, selection, linked, rings));
+}
+
+}  // namespace oblast::classics

@@ -1,0 +1,29 @@
+// The last step of every classic: its contours in the library's canonical order.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <vector>
+
+namespace oblast::classics {
+
+/// Closed walks along the boundary of a result.
+class Contours {
+ public:
+  bool empty() const { return ends_.empty(); }
+  void add(const Point& p) { points_.push_back(p); }
+  /// Ends the contour whose points were added last; fewer than three points are dropped.
+  void close();
+
+  /// The region set they bound, canonical (promise G3), under the `ogc` convention.
+  /// REQUIRES: the result lies on the left; edges meet at their ends only. Cost: O(n + z log z), z contours.
+  RegionSet to_region_set() const;
+
+ private:
+  RegionSet single() const;
+
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> ends_;
+};
+
+}  // namespace oblast::classics

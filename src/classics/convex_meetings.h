@@ -1,0 +1,67 @@
+// All points at which the boundaries of two convex contours meet, by O'Rourke's advance.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "classics/contours.h"
+#include "classics/operand.h"
+
+namespace oblast::classics {
+
+/// A contour cut at its meetings with the other one. Chain k runs from node k to node k + 1.
+struct NodedContour {
+  std::vector<Point> points;
+  std::vector<bool> rounded;         ///< by point: a rounded crossing
+  std::vector<std::uint32_t> nodes;  ///< indices of the points that lie on the other contour, increasing
+
+  const Point& next(std::uint32_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
+  const Point& previous(std::uint32_t i) const { return points[i == 0 ? points.size() - 1 : i - 1]; }
+
+  /// Adds the points of a chain, its last one left out.
+  void add_chain(std::size_t k, Contours& result) const;
+  /// The same backward: from node k + 1, node k left out.
+  void add_chain_backward(std::size_t k, Contours& result) const;
+};
+
+class ConvexMeetings {
+ public:
+  /// REQUIRES: both convex, counter-clockwise.
+  ConvexMeetings(const Ring& a, const Ring& b) : a_(a), b_(b) {}
+
+  /// Chases both contours round and cuts them. Returns the number of advances, at most 2(n1 + n2).
+  std::uint64_t find();
+
+  const NodedContour& contour_a() const { return noded_a_; }
+  const NodedContour& contour_b() const { return noded_b_; }
+
+  /// How the nodes of B follow one another, seen from those of A.
+  enum class Order {
+    same,       ///< node k of B is node k of A
+    opposite,   ///< node k of B is node m - 1 - k of A: touching from outside
+    unsettled,  ///< rounding might change what meets what
+  };
+  /// Lines the nodes up and checks, exactly, that the pieces of A and B meet at their ends only and keep clear.
+  /// Cost: linear, but for many rounded crossings as is_clear().
+  Order settled_order();
+
+ private:
+  struct Cut {
+    std::uint32_t edge;
+    Point at;
+    bool rounded;
+  };
+
+  void test_edges(std::uint32_t i, std::uint32_t j);
+  static void vertex_on_edge(const Point& p, const Ring& ring, std::uint32_t edge, std::vector<Cut>& cuts);
+  static bool cut(const Ring& ring, std::vector<Cut>& cuts, NodedContour& noded);
+  bool pieces_are_clear() const;
+
+  const Ring& a_;
+  const Ring& b_;
+  std::vector<Cut> cuts_a_, cuts_b_;
+  NodedContour noded_a_, noded_b_;
+  bool collapsed_ = false;  ///< two points that differ were rounded to one
+};
+
+}  // namespace oblast::classics

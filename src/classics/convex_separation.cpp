@@ -1,0 +1,82 @@
+// Each contour is two lexicographically monotone chains. Two edges can meet only where their ranges in
+// that order overlap, and of two chains only as many pairs of edges do as they have edges together.
+#include "classics/convex_separation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exact/orientation.h"
+
+namespace oblast::classics {
+namespace {
+
+using exact::orientation;
+
+/// A chain of a contour, read from its smallest to its largest vertex.
+struct Chain {
+  const std::vector<Point>* points;
+  std::size_t first;
+  std::size_t size;  ///< vertices
+  bool backward;
+
+  std::size_t vertex(std::size_t i) const {
+    const std::size_t n = points->size();
+    const std::size_t v = backward ? first + n - i : first + i;
+    return v >= n ? v - n : v;
+  }
+  const Point& operator[](std::size_t i) const { return (*points)[vertex(i)]; }
+  bool is_monotone() const {
+    for (std::size_t i = 0; i + 1 < size; ++i)
+      if (!lexicographically_less((*this)[i], (*this)[i + 1])) return false;
+    return true;
+  }
+};
+
+std::array<Chain, 2> chains_of(const std::vector<Point>& ring) {
+  const auto [smallest, largest] = std::minmax_element(ring.begin(), ring.end(), lexicographically_less);
+  const auto first = static_cast<std::size_t>(smallest - ring.begin()), n = ring.size();
+  const std::size_t length = (static_cast<std::size_t>(largest - ring.begin()) + n - first) % n;
+  return {Chain{&ring, first, length + 1, false}, Chain{&ring, first, n - length + 1, true}};
+}
+
+bool boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return std::max(a.x, b.x) >= std::min(c.x, d.x) && std::max(c.x, d.x) >= std::min(a.x, b.x) &&
+         std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
+}
+
+/// REQUIRES: a < b, c < d. Edges in conflict meet other than at one common end, and are not identical.
+bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (!boxes_meet(a, b, c, d)) return false;
+  if (a == c || b == d) return (a == c) != (b == d) && orientation(a, b, a == c ? d : c) == 0;
+  if (a == d || b == c) return false;  // one follows the other in the order, so they do not overlap
+  if (orientation(a, b, c) * orientation(a, b, d) > 0) return false;
+  return orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+/// A vertex that both chains have is an end of two edges that are compared.
+bool separated(const Chain& p, const Chain& q, std::vector<bool>& common_p, std::vector<bool>& common_q) {
+  for (std::size_t i = 0, j = 0; i + 1 < p.size && j + 1 < q.size;) {
+    if (in_conflict(p[i], p[i + 1], q[j], q[j + 1])) return false;
+    for (const std::size_t k : {i, i + 1})
+      for (const std::size_t l : {j, j + 1})
+        if (p[k] == q[l]) common_p[p.vertex(k)] = common_q[q.vertex(l)] = true;
+    lexicographically_less(p[i + 1], q[j + 1]) ? ++i : ++j;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool separated(const std::vector<Point>& a, const std::vector<Point>& b, std::vector<bool>& common_a,
+               std::vector<bool>& common_b) {
+  common_a.assign(a.size(), false);
+  common_b.assign(b.size(), false);
+  for (const Chain& p : chains_of(a)) {
+    if (!p.is_monotone()) return false;
+    for (const Chain& q : chains_of(b))
+      if (!q.is_monotone() || !separated(p, q, common_a, common_b)) return false;
+  }
+  return true;
+}
+
+}  // namespace oblast::classics

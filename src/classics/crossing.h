@@ -1,0 +1,26 @@
+// Exact predicates of points that are not stored: the crossing of two lines, each through two input points.
+#pragma once
+
+#include <oblast/point.h>
+
+namespace oblast::classics {
+
+/// A directed line through two different points.
+struct Line {
+  Point p;
+  Point q;
+};
+
+/// Coordinates of magnitude 0 or within [smallest, largest] are safe for side_of_crossing: its terms
+/// are products of four differences, multiples of 2^-1008 below 2^808.
+inline constexpr double crossing_smallest = 0x1p-200;
+inline constexpr double crossing_largest = 0x1p+200;
+
+/// The sign of the cross product of the directions: 1 when `b` turns left of `a`, 0 when parallel.
+int turn(const Line& a, const Line& b);
+
+/// On which side of `line` the crossing of a and b lies: 1 left, -1 right, 0 on it.
+/// REQUIRES: a and b are not parallel; coordinates in the range above.
+int side_of_crossing(const Line& a, const Line& b, const Line& line);
+
+}  // namespace oblast::classics

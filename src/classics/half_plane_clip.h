@@ -1,0 +1,91 @@
+// Exact clipping by half-planes, one after another: the steps of Sutherland and Hodgman.
+//
+// No point is constructed. A vertex is an input point or the crossing of two lines, each through two input points;
+// both are compared by exact predicates. So the order of the half-planes does not matter, nor does
+// how often a point is clipped.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "classics/crossing.h"
+#include "classics/operand.h"
+
+namespace oblast::classics {
+
+/// A convex window: its sides, collinear ones made one.
+struct ConvexWindow {
+  std::vector<Point> ring;                   ///< as given, counter-clockwise, without repeated neighbours
+  std::vector<Line> sides;                   ///< from corner to corner; side i ends where side i + 1 begins
+  std::vector<std::vector<Point>> straight;  ///< by side: vertices inside it, in its direction
+  Point low, high;                           ///< its box
+  bool safe_magnitudes = true;               ///< coordinates are in the range of crossing.h
+
+  explicit ConvexWindow(Ring convex);
+};
+
+inline constexpr std::uint32_t no_line = 0xffffffff;
+
+/// Lines are numbered: first the subject's edges by their first point, then the window's sides.
+struct ClipVertex {
+  Point at;                       ///< the point, unless it is a crossing
+  std::uint32_t along = no_line;  ///< line of the edge that begins here, in its direction
+  std::uint32_t first = no_line;  ///< crossing: of which lines
+  std::uint32_t second = no_line;
+
+  bool is_crossing() const { return first != no_line; }
+};
+
+class HalfPlaneClip {
+ public:
+  /// REQUIRES: the rings regular together, the interior on the left; coordinates in the range of crossing.h.
+  HalfPlaneClip(std::span<const Ring> subject, const ConvexWindow& window);
+
+  /// Clips by every side of the window. False when the subject was not regular after all.
+  /// Cost: O(m n log n), m sides, n vertices; O(m n) where few edges cross sides.
+  bool run();
+
+  /// Contours of the result, the interior on the left: vertices and where each contour ends.
+  const std::vector<ClipVertex>& vertices() const { return vertices_; }
+  const std::vector<std::uint32_t>& ends() const { return ends_; }
+  /// Subject vertices on the window's sides that are no ends of paths there, by side.
+  const std::vector<std::vector<Point>>& touches() const { return touches_; }
+  Line line(std::uint32_t id) const;
+  std::uint32_t subject_edges() const { return static_cast<std::uint32_t>(edges_.size()); }
+
+ private:
+  struct Path {
+    std::uint32_t begin, end;  ///< its vertices in path_vertices_; the first and the last one are on the line
+  };
+  struct PathEnd {
+    ClipVertex vertex;
+    Line ray;  ///< direction away from the line
+    std::uint32_t path;
+    bool entry;
+  };
+
+  bool clip(std::uint32_t side);
+  void split(std::uint32_t begin, std::uint32_t end, std::uint32_t side);
+  bool join(std::uint32_t side);
+  int side_of(const ClipVertex& v, std::uint32_t side) const;
+  ClipVertex cross(std::uint32_t edge, std::uint32_t side) const;
+  std::uint32_t other_line(const ClipVertex& v, std::uint32_t side) const;
+  int compare_along(const ClipVertex& v, const ClipVertex& w, std::uint32_t side) const;
+  void add_path_end(std::uint32_t path, bool entry);
+
+  const ConvexWindow& window_;
+  std::vector<Line> edges_;
+  std::vector<ClipVertex> vertices_;
+  std::vector<std::uint32_t> ends_;
+  std::vector<std::vector<Point>> touches_;
+  // of one clip
+  std::vector<int> sides_;
+  std::vector<ClipVertex> path_vertices_, kept_;
+  std::vector<std::uint32_t> kept_ends_;
+  std::vector<Path> paths_;
+  std::vector<PathEnd> path_ends_;
+  std::vector<Point> on_line_;
+};
+
+}  // namespace oblast::classics

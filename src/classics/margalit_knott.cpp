@@ -1,0 +1,143 @@
+// Margalit and Knott 1989: vertex-complete polygons (Skvortsov, section 2.4).
+//
+// 1. Normalise: sides that coincide cancel in pairs, and the contours are turned by the operation: the interior on
+//    the left of A, and of B too, but on the right of B for the difference.
+// 2. Find the intersections and put them into both polygons: the sides become edge fragments.
+// 3. Classify each fragment against the other polygon: inside, outside, or on its boundary. The paper
+//    looks every vertex and every middle up by itself, in O(n^2) together; here one sweep answers for all
+//    fragments which side of the other polygon lies below them: the O(n log n) Table 1 calls theoretical.
+// 4. Select fragments by the table, 5. construct contours of them.
+//
+//      operation      of A       of B      on the boundary: directed alike   directed oppositely
+//      intersection   inside     inside    once                              -
+//      union          outside    outside   once                              -
+//      difference     outside    inside    once                              -
+//
+// With B turned for the difference, boundaries directed alike have the interiors on opposite sides: so
+// one table serves all three.
+#include <algorithm>
+
+#include "classics/arrangement.h"
+#include "classics/contours.h"
+#include "classics/settle.h"
+#include "overlay/link.h"
+#include "overlay/locate_below.h"
+#include "overlay/rings.h"
+#include "overlay/validate.h"
+
+namespace oblast {
+namespace {
+
+using classics::Ring;
+
+constexpr const char* name = "Margalit-Knott";
+constexpr const char* instead = "overlay";
+
+enum class Place : std::uint8_t { outside, inside, on_boundary };
+
+/// Step 1. REQUIRES: vertex-complete, which is checked.
+std::vector<Ring> normalise(const RegionView& regions, std::size_t index, bool& touches) {
+  const classics::Operand operand{regions, index, name, instead};
+  std::vector<Ring> rings{operand.one_contour()};
+  const classics::OwnMeetings own = classics::find_own_meetings(rings);
+  if (own.crossed_ring != classics::OwnMeetings::nowhere)
+    operand.refuse("another edge crosses the edge from there, or ends inside it, so it is not vertex-complete", 0,
+                   rings[0].source[own.crossed_vertex]);
+  // Nothing is cut, so no coordinate changes: coincident sides cancel and the contour falls apart into simple ones.
+  Options options;
+  options.fill_a = FillRule::even_odd();
+  const RegionSet normal = unite(regions, options);
+  rings.clear();
+  for (std::size_t c = 0; c < normal.contour_ends.size(); ++c)
+    rings.push_back(classics::clean_ring(normal.view().contour(c)));
+  touches = own.touches;
+  return rings;
+}
+
+/// Steps 3 and 4.
+class Fragments {
+ public:
+  Fragments(const ChainGraph& graph, Operation operation)
+      : graph_(graph), b_turned_(operation == Operation::difference ? -1 : 1) {
+    place_.assign(graph.chains.size(), Place::outside);
+    classify(true);
+    classify(false);
+    selection_.assign(graph.chains.size(), none);
+    for (std::uint32_t c = 0; c < selection_.size(); ++c)
+      if (graph.is_live(c)) select(c, operation);
+  }
+
+  const Selection& selection() const { return selection_; }
+
+ private:
+  std::int32_t change(std::uint32_t c, bool of_a) const {
+    return of_a ? graph_.chains[c].change.a : graph_.chains[c].change.b;
+  }
+
+  void classify(bool of_a) {
+    std::vector<std::uint32_t> others, fragments;
+    std::vector<BelowQuery> queries;
+    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
+      if (!graph_.is_live(c)) continue;
+      if (change(c, !of_a) != 0) others.push_back(c);
+      if (change(c, of_a) == 0) continue;
+      if (change(c, !of_a) != 0) {
+        place_[c] = Place::on_boundary;
+        continue;
+      }
+      const Point p = graph_.point(graph_.chains[c].first), q = graph_.point(graph_.chains[c].first + 1);
+      fragments.push_back(c);
+      queries.push_back(lexicographically_less(p, q) ? BelowQuery{p, q} : BelowQuery{q, p});
+    }
+    const std::vector<Below> below = locate_below(graph_, others, queries);
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+      const bool inside = below[i].chain != none && (change(below[i].chain, !of_a) > 0) == below[i].rightward;
+      place_[fragments[i]] = inside ? Place::inside : Place::outside;
+    }
+  }
+
+  void select(std::uint32_t c, Operation operation) {
+    const bool of_a = change(c, true) != 0;
+    const std::int32_t directed = of_a ? change(c, true) : b_turned_ * change(c, false);
+    bool selected = place_[c] == (operation == Operation::intersection ? Place::inside : Place::outside);
+    if (operation == Operation::difference && !of_a) selected = place_[c] == Place::inside;
+    if (place_[c] == Place::on_boundary) selected = directed == b_turned_ * change(c, false);
+    if (selected) selection_[c] = directed > 0 ? forward(c) : opposite(forward(c));
+  }
+
+  const ChainGraph& graph_;
+  std::int32_t b_turned_;
+  std::vector<Place> place_;
+  Selection selection_;
+};
+
+/// Step 5.
+RegionSet construct(const ChainGraph& graph, const Selection& selection) {
+  const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
+  const Rings rings = contours_to_rings(graph, selection, linked);
+  classics::Contours contours;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) contours.add(rings.points[v]);
+    contours.close();
+  }
+  return contours.to_region_set();
+}
+
+}  // namespace
+
+RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report) {
+  ClassicReport unused;
+  ClassicReport& done = report ? *report : unused;
+  done = {};
+  validate(a, 0);
+  validate(b, 1);
+  classics::refuse_symmetric_difference(operation == Operation::symmetric_difference, name);
+  bool a_touches = false, b_touches = false;
+  const std::vector<Ring> rings_a = normalise(a, 0, a_touches), rings_b = normalise(b, 1, b_touches);
+  const classics::Arrangement arrangement = classics::arrange(rings_a, a_touches, rings_b, b_touches);
+  done.meetings = arrangement.meetings;
+  if (!arrangement.clear) return classics::settle(a, b, operation, done);
+  return construct(arrangement.graph, Fragments(arrangement.graph, operation).selection());
+}
+
+}  // namespace oblast

@@ -1,0 +1,16 @@
+// The exact result of clipping to points: crossings rounded, and told whether that is safe.
+#pragma once
+
+#include "classics/contours.h"
+#include "classics/half_plane_clip.h"
+
+namespace oblast::classics {
+
+bool has_safe_magnitudes(const std::vector<Ring>& rings);
+
+/// Adds the contours of the result. False when rounding might change what meets what (clearance.h).
+/// `meetings`: points of both boundaries.
+bool round_clip(const HalfPlaneClip& clip, const std::vector<Ring>& subject, const ConvexWindow& window,
+                Contours& contours, std::uint64_t& meetings);
+
+}  // namespace oblast::classics

@@ -1,0 +1,18 @@
+// Lee's hull of a simple polygon, and the monotone chain.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <span>
+#include <vector>
+
+namespace oblast {
+
+/// The hull's corners, clockwise from the smallest vertex. `ring`: clockwise, without repeated neighbours, at least
+/// three vertices; the answer is the hull when the ring is simple. Cost: linear.
+std::vector<Point> lee_hull(std::span<const Point> ring);
+
+/// The hull of any points, counter-clockwise from the smallest (Andrew 1979). Sorts `points`. Cost: O(n log n).
+std::vector<Point> monotone_chain_hull(std::vector<Point>& points);
+
+}  // namespace oblast

@@ -1,0 +1,182 @@
+#include "classics/shapes.h"
+
+#include <algorithm>
+#include <set>
+
+#include "exact/orientation.h"
+
+namespace oblast::tests {
+namespace {
+
+using exact::orientation;
+
+bool less(const Point& p, const Point& q) { return lexicographically_less(p, q); }
+
+/// Corners of the hull; with `straight`, points on its sides too.
+std::vector<Point> hull_of(std::vector<Point> points, bool straight) {
+  std::sort(points.begin(), points.end(), less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<Point> hull;
+  const auto add = [&](const Point& p, std::size_t bottom) {
+    while (hull.size() > bottom) {
+      const int t = orientation(hull[hull.size() - 2], hull.back(), p);
+      if (t > 0 || (t == 0 && straight)) break;
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Point& p : points) add(p, 1);
+  const std::size_t bottom = hull.size();
+  for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], bottom);
+  hull.pop_back();
+  return hull;
+}
+
+bool has_area(const std::vector<Point>& ring) {
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    if (orientation(ring[0], ring[1], ring[i]) != 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void append(RegionSet& regions, const std::vector<Point>& contour) {
+  regions.points.insert(regions.points.end(), contour.begin(), contour.end());
+  regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));
+  regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
+}
+
+std::vector<Point> convex(Plane& plane) {
+  Random& random = plane.random();
+  for (;;) {
+    std::vector<Point> points(static_cast<std::size_t>(random.between(3, random.one_in(3) ? 30 : 8)));
+    for (Point& p : points) p = plane.point();
+    std::vector<Point> ring = hull_of(points, random.one_in(2));
+    if (ring.size() < 3 || !has_area(ring)) continue;
+    std::rotate(ring.begin(), ring.begin() + random.below(static_cast<int>(ring.size())), ring.end());
+    return ring;
+  }
+}
+
+/// Points in the order of the angle around one of them, or split by a line: simple where no two agree.
+std::vector<Point> simple(Plane& plane, int n) {
+  for (;;) {
+    std::vector<Point> points(static_cast<std::size_t>(n));
+    for (Point& p : points) p = plane.point();
+    std::sort(points.begin(), points.end(), less);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (points.size() < 3) continue;
+    const Point first = points.front(), last = points.back();
+    std::vector<Point> lower{first}, upper;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      if (orientation(first, last, points[i]) < 0 || (i > 1 && plane.random().one_in(2) && upper.empty()))
+        lower.push_back(points[i]);
+      else
+        upper.push_back(points[i]);
+    }
+    std::vector<Point> kept;
+    for (const Point& p : upper)
+      if (orientation(first, last, p) > 0) kept.push_back(p);
+    std::erase_if(lower, [&](const Point& p) { return p != first && orientation(first, last, p) >= 0; });
+    lower.push_back(last);
+    lower.insert(lower.end(), kept.rbegin(), kept.rend());
+    if (lower.size() >= 3) return lower;
+  }
+}
+
+std::vector<Point> tangle(Plane& plane, int n) {
+  std::vector<Point> points(static_cast<std::size_t>(n));
+  for (Point& p : points) p = plane.point();
+  return points;
+}
+
+// A closed walk along the sides and one diagonal of the cells of a grid. Each lattice place has one point, so
+// edges meet at their ends only, and walked twice they coincide.
+std::vector<Point> vertex_complete(Plane& plane) {
+  Random& random = plane.random();
+  const int side = std::min(plane.size(), random.between(2, 6));
+  std::vector<std::vector<Point>> lattice;
+  for (int x = 0; x <= side; ++x) {
+    lattice.emplace_back();
+    for (int y = 0; y <= side; ++y) lattice.back().push_back(plane.at(x, y));
+  }
+  for (;;) {
+    int x = random.between(0, side), y = random.between(0, side);
+    std::vector<std::pair<int, int>> walk{{x, y}};
+    const int steps = random.between(3, 40);
+    constexpr int dx[] = {1, 1, 0, -1, -1, 0}, dy[] = {0, 1, 1, 0, -1, -1};
+    int heading = random.below(6);
+    for (int i = 0; i < steps; ++i) {
+      if (!random.one_in(2)) heading = (heading + random.between(1, 5)) % 6;
+      if (x + dx[heading] < 0 || x + dx[heading] > side || y + dy[heading] < 0 || y + dy[heading] > side) continue;
+      x += dx[heading];
+      y += dy[heading];
+      walk.emplace_back(x, y);
+      if (i > 8 && walk.back() == walk.front()) break;
+    }
+    // Home along rows and columns.
+    for (; x != walk.front().first; walk.emplace_back(x, y)) x += x < walk.front().first ? 1 : -1;
+    for (; y != walk.front().second; walk.emplace_back(x, y)) y += y < walk.front().second ? 1 : -1;
+    walk.pop_back();
+    std::vector<Point> points;
+    for (const auto& [i, j] : walk) points.push_back(lattice[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    if (points.size() >= 3) return points;
+  }
+}
+
+std::vector<Point> notched(Plane& plane) {
+  for (;;) {
+    std::vector<Point> ring = convex(plane);
+    // A vertex put between two neighbours, well inside.
+    const Point &p = ring[0], &q = ring[1], &r = ring[2];
+    const Point inner{(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
+    if (orientation(p, q, inner) <= 0) continue;
+    ring.insert(ring.begin() + 1, inner);
+    return ring;
+  }
+}
+
+std::vector<Point> wound_twice(Plane& plane) {
+  std::vector<Point> ring = convex(plane);
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) ring.push_back(ring[i]);
+  return ring;
+}
+
+std::vector<Point> crossed(Plane& plane) {
+  for (;;) {
+    const Point a = plane.point(), b = plane.point(), c = plane.point(), d = plane.point();
+    if (orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0)
+      return {a, b, c, d};
+  }
+}
+
+std::vector<Point> overlapping_edges(Plane& plane) {
+  const double x = plane.random().between(1, 5), y = plane.random().between(1, 5);
+  // Goes out along the bottom, comes back along a part of it.
+  return {{0, 0}, {3 * x, 0}, {3 * x, y}, {2 * x, y}, {2 * x, 0}, {x, 0}, {x, y}, {0, y}};
+}
+
+RegionSet two_that_overlap(Plane& plane) {
+  const std::vector<Point> ring = crossed(plane);
+  RegionSet r = one_contour({ring[0], ring[2], ring[1]});
+  append(r, {ring[2], ring[3], {ring[3].x + (ring[1].x - ring[0].x), ring[3].y + (ring[1].y - ring[0].y)}});
+  return r;
+}
+
+RegionSet hole_directed_wrongly(Plane& plane) {
+  const double w = plane.random().between(3, 50);
+  RegionSet r = one_contour({{0, 0}, {w, 0}, {w, w}, {0, w}});
+  append(r, {{1, 1}, {w - 1, 1}, {1, w - 1}});
+  if (plane.random().one_in(2)) r.polygon_ends = {2};
+  return r;
+}
+
+RegionSet vertex_on_own_edge(Plane& plane) {
+  const double w = 2 * plane.random().between(2, 50);
+  RegionSet r = one_contour({{0, 0}, {w, 0}, {w, w}, {0, w}});
+  append(r, {{w / 2, w}, {w, 2 * w}, {0, 2 * w}});
+  return r;
+}
+
+}  // namespace oblast::tests

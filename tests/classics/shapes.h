@@ -1,0 +1,33 @@
+// Contours of every kind the classics admit or refuse.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <vector>
+
+#include "classics/cases.h"
+
+namespace oblast::tests {
+
+/// Adds a contour as a polygon of its own.
+void append(RegionSet& regions, const std::vector<Point>& contour);
+
+/// Convex, counter-clockwise, three or more vertices, some of them straight.
+std::vector<Point> convex(Plane& plane);
+/// Simple, of about n vertices.
+std::vector<Point> simple(Plane& plane, int n);
+/// Any closed contour of n vertices.
+std::vector<Point> tangle(Plane& plane, int n);
+/// Edges disjoint, or meeting at their ends, or coinciding: a walk along edges of a triangulated grid.
+std::vector<Point> vertex_complete(Plane& plane);
+
+// Outside some domain:
+std::vector<Point> notched(Plane& plane);            ///< simple, one vertex turns the other way
+std::vector<Point> wound_twice(Plane& plane);        ///< turns one way only, twice round
+std::vector<Point> crossed(Plane& plane);            ///< two edges cross
+std::vector<Point> overlapping_edges(Plane& plane);  ///< two edges share a part, not the whole
+RegionSet two_that_overlap(Plane& plane);            ///< two polygons whose boundaries cross
+RegionSet hole_directed_wrongly(Plane& plane);
+RegionSet vertex_on_own_edge(Plane& plane);
+
+}  // namespace oblast::tests
