@@ -55,7 +55,7 @@ bool same_crs(const std::string& wkt_a, const std::string& wkt_b) {
 }
 
 void CommonCrs::add(const std::string& wkt, const std::string& file) {
-  if (wkt.empty()) return;
+  if (wkt.empty() || accepted_.contains(wkt)) return;
   if (wkt_.empty()) {
     wkt_ = wkt;
     file_ = file;
@@ -63,6 +63,7 @@ void CommonCrs::add(const std::string& wkt, const std::string& file) {
     throw IoError("two coordinate systems in one operand: " + file_ + " has " + crs_name(wkt_) + ", " + file + " has " +
                   crs_name(wkt));
   }
+  accepted_.insert(wkt);
 }
 
 std::string crs_name(const std::string& wkt) {
