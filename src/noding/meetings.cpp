@@ -18,6 +18,8 @@ namespace {
 
 using exact::orientation;
 
+constexpr std::uint32_t no_vertex = 0xffffffff;
+
 bool in_box(const Point& p, const Point& a, const Point& b) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
          p.y <= std::max(a.y, b.y);
@@ -104,13 +106,7 @@ class MeetingTest {
   void cross(std::uint32_t i, std::uint32_t j) {
     const auto& points = strands_.points;
     const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
-    if (settling_.tolerance > 0) {
-      const double tolerance = settling_.tolerance * largest_ulp({a, b, c, d});
-      bool settled = false;
-      for (const std::uint32_t v : {i, i + 1}) settled |= settle_at(v, j, tolerance);
-      for (const std::uint32_t v : {j, j + 1}) settled |= settle_at(v, i, tolerance);
-      if (settled) return;
-    }
+    if (settling_.tolerance > 0 && settle_at_an_end(i, j)) return;
     Point x = exact::intersection_point(a, b, c, d);
     if (settling_.doublings >= 0)
       x = round_further(x, a, b, c, d, std::ldexp(largest_ulp({a, b, c, d}), settling_.doublings));
@@ -118,12 +114,27 @@ class MeetingTest {
     meet_at(j, x);
   }
 
-  /// Lets the edge pass through a vertex that is near it.
-  bool settle_at(std::uint32_t vertex, std::uint32_t edge, double tolerance) {
-    const Point &p = strands_.points[vertex], &a = strands_.points[edge], &b = strands_.points[edge + 1];
-    if (!in_box(p, a, b) || distance_from_line(p, a, b) > tolerance) return false;
+  /// Lets one of two crossing edges pass through the nearest end of the other, if that is near enough and
+  /// in its box. Of ends equally near, the smallest.
+  bool settle_at_an_end(std::uint32_t i, std::uint32_t j) {
+    const auto& points = strands_.points;
+    double nearest = settling_.tolerance * largest_ulp({points[i], points[i + 1], points[j], points[j + 1]});
+    std::uint32_t vertex = no_vertex, edge = 0;
+    const auto consider = [&](std::uint32_t v, std::uint32_t other) {
+      const Point &p = points[v], &a = points[other], &b = points[other + 1];
+      if (!in_box(p, a, b)) return;
+      const double distance = distance_from_line(p, a, b);
+      if (distance > nearest) return;
+      if (vertex != no_vertex && distance == nearest && !lexicographically_less(p, points[vertex])) return;
+      nearest = distance;
+      vertex = v;
+      edge = other;
+    };
+    for (const std::uint32_t v : {i, i + 1}) consider(v, j);
+    for (const std::uint32_t v : {j, j + 1}) consider(v, i);
+    if (vertex == no_vertex) return false;
     mark(vertex);
-    cuts_.push_back({edge, p});
+    cuts_.push_back({edge, points[vertex]});
     return true;
   }
 
@@ -180,6 +191,30 @@ class MeetingTest {
   std::vector<EdgeCut>& cuts_;
 };
 
+/// Drops cuts at which an edge would turn back in x or y, as it might where cuts are at vertices beside it. What they
+/// were to settle is left to the next round. So the pieces' boxes always shrink. Looked at from the
+/// smaller end, whichever way the edge runs. REQUIRES: sorted along the edges.
+void keep_monotone(const std::vector<Point>& points, std::vector<EdgeCut>& cuts) {
+  std::size_t kept = 0;
+  for (std::size_t begin = 0, end; begin < cuts.size(); begin = end) {
+    const std::uint32_t edge = cuts[begin].edge;
+    for (end = begin; end < cuts.size() && cuts[end].edge == edge;) ++end;
+    const bool rightward = lexicographically_less(points[edge], points[edge + 1]);
+    const Point& last = points[rightward ? edge + 1 : edge];
+    Point from = points[rightward ? edge : edge + 1];
+    for (std::size_t k = 0; k < end - begin; ++k) {
+      EdgeCut& cut = cuts[rightward ? begin + k : end - 1 - k];
+      if (!in_box(cut.at, from, last))
+        cut.edge = no_vertex;
+      else
+        from = cut.at;
+    }
+    for (std::size_t k = begin; k < end; ++k)
+      if (cuts[k].edge != no_vertex) cuts[kept++] = cuts[k];
+  }
+  cuts.resize(kept);
+}
+
 }  // namespace
 
 std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, Settling settling,
@@ -206,6 +241,7 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, 
   cuts.erase(std::unique(cuts.begin(), cuts.end(),
                          [](const EdgeCut& p, const EdgeCut& q) { return p.edge == q.edge && p.at == q.at; }),
              cuts.end());
+  if (settling.tolerance > 0) keep_monotone(strands.points, cuts);
   return cuts;
 }
 

@@ -20,10 +20,10 @@ struct EdgeCut {
 
 /// How a round of noding settles a crossing.
 ///
-/// The first two rounds put a new vertex at every crossing, rounded to the nearest double. Where edges run within an
+/// The first round puts a new vertex at every crossing, rounded to the nearest double. Where edges run within an
 /// ulp of each other, that alone need not end soon: each rounded vertex tilts its edges, the tilted
 /// pieces cross their neighbours anew somewhere else, and near 0, where doubles are dense, a crossing can creep
-/// towards an axis for thousands of rounds. So from the third round on a crossing that has an end of one edge within
+/// towards an axis for thousands of rounds. So from the second round on a crossing that has an end of one edge within
 /// `tolerance` of the other is settled there, at a vertex that exists already: no new vertex, so no new tilt. Should
 /// even that go on, tolerance and unit of rounding double every round until no new coordinate can appear.
 struct Settling {
@@ -31,7 +31,7 @@ struct Settling {
   int doublings = -1;    ///< new vertices are multiples of that ulp, doubled so often; negative: nearest double
 
   static Settling of_round(std::uint64_t round) {
-    constexpr std::uint64_t last_nearest = 2, last_patient = 24;
+    constexpr std::uint64_t last_nearest = 1, last_patient = 24;
     if (round <= last_nearest) return {};
     if (round <= last_patient) return {2, -1};
     const int doublings = static_cast<int>(round - last_patient);
