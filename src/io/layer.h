@@ -1,13 +1,13 @@
 // What is read from vector files: one operand as flat arrays, with the way back to where it came from.
 #pragma once
 
+#include <oblast/error.h>
+#include <oblast/region_set.h>
+
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <oblast/error.h>
-#include <oblast/region_set.h>
 
 namespace oblast::io {
 
@@ -28,10 +28,10 @@ struct ReadReport {
   std::uint64_t features = 0;
   std::uint64_t null_geometries = 0;
   std::uint64_t empty_geometries = 0;
-  std::uint64_t lines = 0;         ///< line features, passed over
-  std::uint64_t points = 0;        ///< point features, passed over
-  std::uint64_t with_z = 0;        ///< features whose Z was dropped
-  std::uint64_t with_m = 0;        ///< features whose M was dropped
+  std::uint64_t lines = 0;   ///< line features, passed over
+  std::uint64_t points = 0;  ///< point features, passed over
+  std::uint64_t with_z = 0;  ///< features whose Z was dropped
+  std::uint64_t with_m = 0;  ///< features whose M was dropped
   std::uint64_t unclosed_contours = 0;
   std::uint64_t repeated_vertices = 0;
 };

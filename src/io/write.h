@@ -1,9 +1,9 @@
 // Writing a region set, all or nothing: to a temporary name beside the target, then renamed.
 #pragma once
 
-#include <string>
-
 #include <oblast/region_set.h>
+
+#include <string>
 
 #include "io/layer.h"
 
