@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/predicates.h"
+
 namespace oblast::verify {
 
 Sources::Sources(const RegionView& a, const RegionView& b, double bound_ulps) {
@@ -79,13 +81,21 @@ double Sources::displacement_ulps(const Point& p) const {
 }
 
 bool Sources::may_have_cancelled(const Point& p) const {
-  const auto same = [](const InputEdge& e, const InputEdge& f) {
-    return (e.from == f.from && e.to == f.to) || (e.from == f.to && e.to == f.from);
+  // Whether f covers the beginning of e, which starts or ends at p.
+  const auto covers = [&](const InputEdge& f, const InputEdge& e) {
+    const Point& far = e.from == p ? e.to : e.from;
+    if (f.from == p || f.to == p) return same_direction(p, far, f.from == p ? f.to : f.from);
+    if (side_of_line(f.from, f.to, p) != 0 || side_of_line(f.from, f.to, far) != 0) return false;
+    return std::min(f.from.x, f.to.x) <= p.x && p.x <= std::max(f.from.x, f.to.x) &&
+           std::min(f.from.y, f.to.y) <= p.y && p.y <= std::max(f.from.y, f.to.y);
   };
-  return std::all_of(edges_.begin(), edges_.end(), [&](const InputEdge& e) {
-    if (e.from != p && e.to != p) return true;
-    return std::count_if(edges_.begin(), edges_.end(), [&](const InputEdge& f) { return same(e, f); }) > 1;
-  });
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (edges_[i].from != p && edges_[i].to != p) continue;
+    bool covered = false;
+    for (std::size_t j = 0; j < edges_.size() && !covered; ++j) covered = j != i && covers(edges_[j], edges_[i]);
+    if (!covered) return false;
+  }
+  return true;
 }
 
 }  // namespace oblast::verify

@@ -38,7 +38,7 @@ class Sources {
   /// Distance from p to the nearest edge, in units of the last place of the largest coordinate; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
-  /// True when every edge at vertex p coincides with another input edge, so that they may have cancelled.
+  /// True when every edge at vertex p runs, at its start, along another input edge, so that they may have cancelled.
   bool may_have_cancelled(const Point& p) const;
 
  private:
