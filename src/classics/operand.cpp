@@ -15,23 +15,33 @@ std::size_t polygon_of(const RegionView& regions, std::size_t contour) {
   return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), contour) - ends.begin());
 }
 
-/// The first vertex at which the ring, which turns by `turn` so far, is not convex; npos when it is.
-/// A ring that turns one way only and has one smallest and one largest vertex is convex and simple.
+int turn_at(const Ring& ring, std::size_t i) {
+  return exact::orientation(ring.previous(i), ring.points[i], ring.next(i));
+}
+
+/// The first vertex at which the ring is not convex; npos when it is. `turn`: which way it runs, told at the smallest
+/// vertex, which is a corner of the hull. A ring that turns one way only and has one smallest and one
+/// largest vertex is convex and simple.
 std::size_t first_not_convex(const Ring& ring, int& turn, const char*& why) {
+  const auto smallest = std::min_element(ring.points.begin(), ring.points.end(), lexicographically_less);
+  turn = turn_at(ring, static_cast<std::size_t>(smallest - ring.points.begin()));
+  const auto is_extreme = [&](std::size_t i) {
+    return lexicographically_less(ring.previous(i), ring.points[i]) !=
+           lexicographically_less(ring.points[i], ring.next(i));
+  };
   int extremes = 0;
+  std::size_t third_extreme = npos;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &before = ring.previous(i), &here = ring.points[i], &after = ring.next(i);
-    const int t = exact::orientation(before, here, after);
-    const bool extreme = lexicographically_less(before, here) != lexicographically_less(here, after);
+    const int t = turn_at(ring, i);
+    const bool extreme = is_extreme(i);
     why = "the contour folds back onto itself there";
     if (extreme && t == 0) return i;
-    why = "the contour goes round more than once, so it is not convex";
-    if (extreme && ++extremes > 2) return i;
     why = "the contour turns the other way there, so it is not convex";
-    if (turn != 0 && t == -turn) return i;
-    if (t != 0) turn = t;
+    if (t == -turn && t != 0) return i;
+    if (extreme && ++extremes == 3) third_extreme = i;
   }
-  return npos;
+  why = "the contour goes round more than once, so it is not convex";
+  return third_extreme;
 }
 
 }  // namespace

@@ -79,8 +79,10 @@ bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   std::reverse(below.begin(), below.end());
   HullSide lower(std::move(below));
   if (!upper.turns(-1) || !lower.turns(1)) return false;
-  return std::all_of(ring.begin(), ring.end(),
-                     [&](const Point& p) { return upper.side_of(p) <= 0 && lower.side_of(p) >= 0; });
+  // Above the line from the smallest to the largest corner only the upper side can leave a point out.
+  return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
+    return orientation(hull.front(), *largest, p) > 0 ? upper.side_of(p) <= 0 : lower.side_of(p) >= 0;
+  });
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ RegionSet regular(Plane& plane) {
   // Half of the time nothing crosses, so that on a grid all vertices are integers, holes and touches included.
   const bool complete = random.one_in(2);
   const int rings = complete ? 1 : random.between(1, 3);
-  for (int i = 0; i < rings; ++i)
-    append(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));
+  for (int i = 0; i < rings; ++i) append(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));
   Options options;
   options.fill_a = FillRule::even_odd();
   const RegionSet r = unite(soup, options);

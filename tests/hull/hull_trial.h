@@ -1,0 +1,18 @@
+// Lee's hull of one polygon against the monotone chain's.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <string>
+#include <vector>
+
+namespace oblast::tests {
+
+/// Empty when Lee's scan itself, and `oblast::hull`, give the monotone chain's corners; else what is wrong.
+/// `ring`: simple, no repeated neighbours.
+std::string compare_hulls(const std::vector<Point>& ring);
+
+/// True when the contour is simple: no two edges meet but at their common end (a test of the generators).
+bool is_simple(const std::vector<Point>& ring);
+
+}  // namespace oblast::tests
