@@ -10,7 +10,7 @@ Slot ActiveEdges::find_below(const Point& p) {
   for (Slot slot = nodes_[ground].right; slot != none;) {
     Node& node = nodes_[slot];
     ActiveEdge& edge = node.edge;
-    while (!lexicographically_less(p, edge.b)) {
+    while (edge.vertex != edge.last && !lexicographically_less(p, edge.b)) {
       edge.a = edge.b;
       edge.b = points_[edge.vertex += edge.step];
     }

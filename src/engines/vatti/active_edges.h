@@ -26,6 +26,7 @@ struct ActiveEdge {
   Point a, b;            ///< the edge under the scan line, a smaller
   std::uint32_t vertex;  ///< of b
   std::uint32_t step;    ///< from a vertex of the bound to the next
+  std::uint32_t last;    ///< vertex where the bound finishes
   std::uint32_t top;     ///< stop where the bound finishes
   Winding above;         ///< winding numbers above the bound
 };

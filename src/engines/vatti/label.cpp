@@ -87,6 +87,7 @@ class Scan {
             graph_.point(next),
             next,
             bound.step(),
+            bound.last,
             bound.top,
             bound.is_rightward() ? below + change : below - change};
   }
