@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
@@ -23,46 +24,54 @@ struct Place {
 
 class Insertion {
  public:
-  explicit Insertion(std::span<const Point> given) : given_(given), order_(spatial_order(given)) {}
+  explicit Insertion(std::span<const Point> given) : order_(spatial_order(given)) {
+    // Gathered once: later each step would wait for memory.
+    mesh_.points.reserve(given.size());
+    for (const std::uint32_t index : order_) mesh_.points.push_back(given[index]);
+  }
 
   Mesh run() {
-    mesh_.vertex_of.resize(given_.size());
-    mesh_.points.reserve(given_.size());
+    mesh_.vertex_of.resize(order_.size());
     if (first_triangle()) {
-      for (std::size_t i = 3; i < order_.size(); ++i) insert(order_[i]);
+      for (std::uint32_t i = 3; i < order_.size(); ++i) insert(i);
     } else {
       number_collinear_points();
     }
+    mesh_.points.resize(vertices_);
     return std::move(mesh_);
   }
 
  private:
-  std::uint32_t add_vertex(std::uint32_t index) {
-    const auto v = static_cast<std::uint32_t>(mesh_.points.size());
-    mesh_.points.push_back(given_[index]);
-    return mesh_.vertex_of[index] = v;
+  /// The point at place `i` of the order becomes a vertex; the array of points closes up over equal ones.
+  std::uint32_t add_vertex(std::uint32_t i) {
+    mesh_.points[vertices_] = mesh_.points[i];
+    mesh_.vertex_of[order_[i]] = vertices_;
+    return vertices_++;
+  }
+
+  void swap_places(std::size_t i, std::size_t j) {
+    std::swap(order_[i], order_[j]);
+    std::swap(mesh_.points[i], mesh_.points[j]);
   }
 
   /// Brings three points that are not collinear to the front of the order. False when there are none.
   bool find_three() {
-    const auto point = [&](std::size_t i) -> const Point& { return given_[order_[i]]; };
-    const std::size_t n = order_.size();
-    std::size_t second = 1;
-    while (second < n && point(second) == point(0)) ++second;
-    if (second >= n) return false;
-    std::swap(order_[1], order_[second]);
-    std::size_t third = 2;
-    while (third < n && orientation(point(0), point(1), point(third)) == 0) ++third;
-    if (third >= n) return false;
-    std::swap(order_[2], order_[third]);
-    if (orientation(point(0), point(1), point(2)) < 0) std::swap(order_[0], order_[1]);
+    const std::vector<Point>& points = mesh_.points;
+    std::size_t second = 1, third = 2;
+    while (second < points.size() && points[second] == points[0]) ++second;
+    if (second >= points.size()) return false;
+    swap_places(1, second);
+    while (third < points.size() && orientation(points[0], points[1], points[third]) == 0) ++third;
+    if (third >= points.size()) return false;
+    swap_places(2, third);
+    if (orientation(points[0], points[1], points[2]) < 0) swap_places(0, 1);
     return true;
   }
 
   bool first_triangle() {
     if (!find_three()) return false;
-    mesh_.triangles.reserve(2 * given_.size());
-    const std::uint32_t a = add_vertex(order_[0]), b = add_vertex(order_[1]), c = add_vertex(order_[2]);
+    mesh_.triangles.reserve(2 * order_.size());
+    const std::uint32_t a = add_vertex(0), b = add_vertex(1), c = add_vertex(2);
     // Triangle 0, and the ghosts 1, 2, 3 beyond its sides 0, 1, 2.
     mesh_.triangles.push_back({{a, b, c}, 0, {half_edge(1, 0), half_edge(2, 0), half_edge(3, 0)}, 0});
     mesh_.triangles.push_back({{b, a, infinite_vertex}, 0, {half_edge(0, 0), half_edge(3, 2), half_edge(2, 1)}, 0});
@@ -72,24 +81,25 @@ class Insertion {
   }
 
   void number_collinear_points() {
-    std::sort(order_.begin(), order_.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(given_[i], given_[j]); });
-    for (const std::uint32_t index : order_) {
-      if (mesh_.points.empty() || mesh_.points.back() != given_[index])
-        add_vertex(index);
-      else
-        mesh_.vertex_of[index] = static_cast<std::uint32_t>(mesh_.points.size() - 1);
+    std::vector<std::uint32_t> along(order_.size());
+    std::iota(along.begin(), along.end(), 0U);
+    const std::vector<Point> points = mesh_.points;
+    std::sort(along.begin(), along.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(points[i], points[j]); });
+    for (const std::uint32_t i : along) {
+      if (vertices_ == 0 || mesh_.points[vertices_ - 1] != points[i]) mesh_.points[vertices_++] = points[i];
+      mesh_.vertex_of[order_[i]] = vertices_ - 1;
     }
   }
 
-  void insert(std::uint32_t index) {
-    const Place place = locate(given_[index]);
+  void insert(std::uint32_t i) {
+    const Place place = locate(mesh_.points[i]);
     if (place.kind == Place::Kind::at_vertex) {
-      mesh_.vertex_of[index] = mesh_.origin(place.half_edge);
+      mesh_.vertex_of[order_[i]] = mesh_.origin(place.half_edge);
       last_ = triangle_of(place.half_edge);
       return;
     }
-    const std::uint32_t v = add_vertex(index);
+    const std::uint32_t v = add_vertex(i);
     if (place.kind == Place::Kind::inside)
       part_triangle(triangle_of(place.half_edge), v);
     else
@@ -251,9 +261,9 @@ class Insertion {
     return orientation(points[a], points[c], points[p]) > 0;
   }
 
-  std::span<const Point> given_;
-  std::vector<std::uint32_t> order_;
-  Mesh mesh_;
+  std::vector<std::uint32_t> order_;  ///< indices of the given points
+  Mesh mesh_;                         ///< points: the vertices, then those not yet inserted, in order
+  std::uint32_t vertices_ = 0;
   std::vector<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
   std::uint32_t last_ = 0;               ///< where the next walk begins
 };

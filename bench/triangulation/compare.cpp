@@ -1,0 +1,33 @@
+// compare_triangulations POINTS...: both libraries in turn on each input, the best of three runs each.
+//
+// Times are processor time of one thread, from the points and sides in memory to the triangulation.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "inputs.h"
+
+int main(int argc, char** argv) {
+  using namespace oblast::bench;
+  bool agree = true;
+  std::printf("%-10s %9s %9s %9s %14s %14s %7s\n", "input", "points", "sides", "triangles", "oblast tri/s",
+              "CGAL tri/s", "ratio");
+  for (int i = 1; i < argc; ++i) {
+    for (const NamedInput& named : triangulation_inputs()) {
+      const TriangulationInput input = named.make(static_cast<std::size_t>(std::atoll(argv[i])));
+      TriangulationRun ours{1e300, 0, 0}, cgal{1e300, 0, 0};
+      for (int run = 0; run < 3; ++run) {
+        const auto faster = [](const TriangulationRun& p, const TriangulationRun& q) { return p.seconds < q.seconds; };
+        ours = std::min(ours, triangulate_with_oblast(input), faster);
+        cgal = std::min(cgal, triangulate_with_cgal(input), faster);
+      }
+      agree = agree && ours.triangles == cgal.triangles && ours.constrained == cgal.constrained;
+      const auto rate = [](const TriangulationRun& r) { return static_cast<double>(r.triangles) / r.seconds; };
+      std::printf("%-10s %9zu %9zu %9zu %14.0f %14.0f %7.2f\n", named.name, input.points.size(), input.sides.size(),
+                  ours.triangles, rate(ours), rate(cgal), rate(ours) / rate(cgal));
+      std::fflush(stdout);
+    }
+  }
+  if (!agree) std::printf("the two disagree about triangles or constrained sides\n");
+  return agree ? 0 : 1;
+}
