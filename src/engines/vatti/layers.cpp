@@ -1,0 +1,85 @@
+// Layers of disjoint contours, first fit, over an auxiliary raster (the paper, 4.3 and figure 3).
+//
+// The paper fills one layer after the other, walking over the contours left each time; a contour joins
+// when the raster under its box is free. Putting each contour at once into the first layer that takes it
+// gives the same layers in one walk. The raster (raster_pyramid.h) then names the earlier contours whose
+// boxes overlap; of those, one in each layer has to be compared until it is found taken.
+#include <oblast/layers.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "engines/vatti/contour_trees.h"
+#include "engines/vatti/interiors_overlap.h"
+#include "engines/vatti/raster_pyramid.h"
+#include "overlay/validate.h"
+
+namespace oblast {
+namespace {
+
+using vatti::ContourTrees;
+
+class FirstFit {
+ public:
+  FirstFit(const ContourTrees& contours, LayerRule rule)
+      : contours_(contours), rule_(rule), raster_(whole_box(contours), contours.size()) {
+    result_.layer.assign(contours.size(), 0);
+    result_.count = contours.size() > 0;
+  }
+
+  Layers run() {
+    for (std::uint32_t c = 0; c < contours_.size(); ++c)
+      if (contours_.has_interior(c)) place(c);
+    return std::move(result_);
+  }
+
+ private:
+  static noding::Box whole_box(const ContourTrees& contours) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    noding::Box whole{infinity, infinity, -infinity, -infinity};
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+      if (!contours.has_interior(c)) continue;
+      const noding::Box box = contours[c].box();
+      whole = {std::min(whole.x0, box.x0), std::min(whole.y0, box.y0), std::max(whole.x1, box.x1),
+               std::max(whole.y1, box.y1)};
+    }
+    return whole;
+  }
+
+  void place(std::uint32_t contour) {
+    const vatti::ContourTree tree = contours_[contour];
+    const auto number = static_cast<std::uint32_t>(placed_.size());
+    raster_.for_each_overlapping(tree.box(), [&](std::uint32_t other) {
+      std::uint32_t& taken = taken_for_[result_.layer[placed_[other]]];
+      if (taken == number) return;
+      if (rule_ == LayerRule::boxes || test_.overlap(tree, contours_[placed_[other]])) taken = number;
+    });
+    std::uint32_t layer = 0;
+    while (layer < taken_for_.size() && taken_for_[layer] == number) ++layer;
+    if (layer == taken_for_.size()) taken_for_.push_back(none_yet);
+    result_.layer[contour] = layer;
+    result_.count = static_cast<std::uint32_t>(taken_for_.size());
+    placed_.push_back(contour);
+    raster_.insert(tree.box());
+  }
+
+  static constexpr std::uint32_t none_yet = 0xffffffff;
+
+  const ContourTrees& contours_;
+  LayerRule rule_;
+  vatti::RasterPyramid raster_;
+  vatti::InteriorTest test_;
+  std::vector<std::uint32_t> placed_;     ///< contours in the raster, by their number there
+  std::vector<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken
+  Layers result_;
+};
+
+}  // namespace
+
+Layers layers(const RegionView& operand, LayerRule rule) {
+  validate(operand, 0);
+  const ContourTrees contours(operand);
+  return FirstFit(contours, rule).run();
+}
+
+}  // namespace oblast

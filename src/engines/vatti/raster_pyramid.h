@@ -1,0 +1,69 @@
+// The auxiliary raster of `layers`: which boxes, put in before, overlap a given one.
+//
+//    level 0 +-------+   level 1 +---+---+   level 2 +-+-+-+-+     A box is kept in the cell of its centre,
+//            |       |           |   |   |           +-+-+-+-+     at the finest level whose cells are not
+//            |       |           +---+---+           +-+-+-+-+     smaller than it is.
+//            +-------+           +---+---+           +-+-+-+-+
+//
+// The paper fills the cells under each box of one raster. Boxes of very different sizes would fill it many
+// times over, so ours has several resolutions, and a box is in one cell of one of them. A cell knows the box of
+// all that is in it and in the cells below it, so the search is exact whatever rounding did to the cells.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "noding/monotone_runs.h"
+
+namespace oblast::vatti {
+
+using noding::Box;
+
+/// The interiors of two boxes have a point in common.
+inline bool overlap(const Box& p, const Box& q) { return p.x0 < q.x1 && q.x0 < p.x1 && p.y0 < q.y1 && q.y0 < p.y1; }
+
+class RasterPyramid {
+ public:
+  /// `whole` holds all boxes to come; about `most` of them.
+  RasterPyramid(const Box& whole, std::size_t most);
+
+  /// Boxes are numbered in the order they come, from 0. Cost: O(log n).
+  void insert(const Box& box);
+
+  /// Calls visit(number) for each box that overlaps `box`. Cost: the cells that overlap it.
+  template <class Visit>
+  void for_each_overlapping(const Box& box, const Visit& visit) {
+    pending_.assign(1, 0);
+    while (!pending_.empty()) {
+      const Cell& cell = cells_[pending_.back()];
+      pending_.pop_back();
+      if (!overlap(cell.box, box)) continue;
+      for (std::uint32_t b = cell.first_box; b != nothing; b = next_box_[b])
+        if (overlap(boxes_[b], box)) visit(b);
+      for (const std::uint32_t child : cell.children)
+        if (child != nothing) pending_.push_back(child);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t nothing = 0xffffffff;
+
+  struct Cell {
+    Box box;  ///< of all boxes in it and in the cells below it
+    std::uint32_t first_box = nothing;
+    std::uint32_t children[4] = {nothing, nothing, nothing, nothing};
+  };
+
+  std::uint32_t level_of(const Box& box) const;
+  /// Column or row of a centre, at the finest level.
+  std::uint32_t position(double centre, double origin) const;
+
+  double x0_, y0_, side_;
+  std::uint32_t levels_;  ///< the finest level has 2^levels_ columns and rows
+  std::vector<Cell> cells_;
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> next_box_;  ///< by box: the next in its cell
+  std::vector<std::uint32_t> pending_;
+};
+
+}  // namespace oblast::vatti
