@@ -79,6 +79,7 @@ int run_program(int argc, char** argv) {
   add_union(program, invocation);
   add_overlay(program, invocation);
   add_check(program, invocation);
+  add_triangulate(program, invocation);
   add_generate(program, invocation);
   add_corpus(program, invocation);
 

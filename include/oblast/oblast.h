@@ -7,3 +7,4 @@
 #include <oblast/overlay.h>
 #include <oblast/point.h>
 #include <oblast/region_set.h>
+#include <oblast/triangulate.h>

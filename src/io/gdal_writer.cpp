@@ -78,11 +78,12 @@ class Check {
   const std::string& name_;
 };
 
-void write_features(OGRLayer& layer, const RegionView& regions, Direction direction, const Check& check) {
+void write_features(OGRLayer& layer, const RegionView& regions, std::span<const std::int32_t> numbers,
+                    Direction direction, const Check& check) {
   std::vector<Point> scratch;
   for (std::size_t p = 0; p < regions.polygon_count(); ++p) {
     OGRFeature feature(layer.GetLayerDefn());
-    feature.SetField(0, static_cast<int>(p));
+    feature.SetField(0, numbers.empty() ? static_cast<int>(p) : numbers[p]);
     feature.SetGeometryDirectly(make_polygon(regions, p, direction, scratch).release());
     check(layer.CreateFeature(&feature) == OGRERR_NONE);
   }
@@ -122,7 +123,7 @@ void check_complete(const std::string& path, const char* driver, const RegionVie
 }  // namespace
 
 void write_with_gdal(const std::string& path, const char* driver_name, const RegionView& regions,
-                     const std::string& crs_wkt, const std::string& name) {
+                     const std::string& crs_wkt, const std::string& name, std::span<const std::int32_t> numbers) {
   register_gdal_drivers();
   if (regions.polygon_count() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     throw IoError("cannot write " + name + ": more than 2^31 - 1 polygons");
@@ -153,7 +154,7 @@ void write_with_gdal(const std::string& path, const char* driver_name, const Reg
     const bool transactions = dataset->TestCapability(ODsCTransactions) != 0;
     if (transactions) check(dataset->StartTransaction() == OGRERR_NONE);
     const bool shapefile = std::string_view(driver_name) == "ESRI Shapefile";
-    write_features(*layer, regions, shapefile ? Direction::esri : Direction::as_given, check);
+    write_features(*layer, regions, numbers, shapefile ? Direction::esri : Direction::as_given, check);
     if (transactions) check(dataset->CommitTransaction() == OGRERR_NONE);
     dataset.reset();  // the spatial index and the headers are written here
     check(true);

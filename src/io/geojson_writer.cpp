@@ -33,10 +33,10 @@ void append_contour(std::string& text, std::span<const Point> contour) {
   text += ']';
 }
 
-void append_feature(std::string& text, const RegionView& regions, std::size_t p) {
+void append_feature(std::string& text, const RegionView& regions, std::size_t p, std::int64_t number) {
   text += fmt::format(R"({{"type":"Feature","properties":{{"polygon":{}}},"geometry":)"
                       R"({{"type":"Polygon","coordinates":[)",
-                      p);
+                      number);
   bool first = true;
   for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
     if (regions.contour(c).empty()) continue;
@@ -58,7 +58,8 @@ std::string crs_member(const std::string& code) {
 
 }  // namespace
 
-std::string to_geojson(const RegionView& regions, const std::string& crs_code_text) {
+std::string to_geojson(const RegionView& regions, const std::string& crs_code_text,
+                       std::span<const std::int32_t> numbers) {
   constexpr std::size_t typical_vertex_length = 40, typical_feature_length = 100;
   std::string text;
   text.reserve(regions.points.size() * typical_vertex_length + regions.polygon_count() * typical_feature_length + 200);
@@ -66,7 +67,7 @@ std::string to_geojson(const RegionView& regions, const std::string& crs_code_te
   if (!crs_code_text.empty()) text += crs_member(crs_code_text);
   text += "\"features\":[\n";
   for (std::size_t p = 0; p < regions.polygon_count(); ++p) {
-    append_feature(text, regions, p);
+    append_feature(text, regions, p, numbers.empty() ? static_cast<std::int64_t>(p) : numbers[p]);
     text += p + 1 < regions.polygon_count() ? ",\n" : "\n";
   }
   text += "]}\n";

@@ -91,9 +91,9 @@ void write(const std::string& path_given, const RegionView& regions, const Write
   const std::string path = target_of(path_given);
   StagedOutput stage(path, files_of(path));
   if (const char* driver = writable_format(path).writer) {
-    write_with_gdal(stage.path(), driver, regions, options.crs_wkt, path);
+    write_with_gdal(stage.path(), driver, regions, options.crs_wkt, path, options.polygon_numbers);
   } else if (is_geojson(path)) {
-    write_text(stage.path(), to_geojson(regions, geojson_crs_code(options.crs_wkt)), path);
+    write_text(stage.path(), to_geojson(regions, geojson_crs_code(options.crs_wkt), options.polygon_numbers), path);
   } else {
     write_text(stage.path(), to_wkt(regions) + "\n", path);
   }

@@ -1,0 +1,137 @@
+// `oblast triangulate`: triangles with the polygon each belongs to.
+#include <fmt/format.h>
+#include <oblast/oblast.h>
+#include <oblast/triangulate.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "io/read.h"
+#include "io/write.h"
+#include "oblast/command.h"
+#include "oblast/console.h"
+#include "oblast/interrupt.h"
+#include "oblast/names.h"
+
+namespace oblast::app {
+
+namespace {
+
+constexpr const char* footer = R"(
+The input is united first; then every side of the result is a side of triangles, and
+as far as that allows the triangulation is Delaunay, decided exactly. Each triangle is
+a feature; its attribute `polygon` is the number of the polygon it lies in, in the
+order of `oblast union`, and -1 outside all of them (--hull). WKT has no attributes.
+
+Example
+  oblast triangulate districts.shp -o triangles.gpkg)";
+
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  TriangulateOptions options;
+  bool hull = false;
+  bool overwrite = false;
+  bool strict = false;
+  bool quiet = false;
+};
+
+/// Each triangle as a polygon.
+RegionSet polygons_of(const Triangulation& triangulation) {
+  RegionSet polygons;
+  polygons.points.reserve(3 * triangulation.triangles.size());
+  for (const auto& triangle : triangulation.triangles) {
+    for (const std::uint32_t v : triangle) polygons.points.push_back(triangulation.points[v]);
+    polygons.contour_ends.push_back(static_cast<std::uint32_t>(polygons.points.size()));
+    polygons.polygon_ends.push_back(static_cast<std::uint32_t>(polygons.contour_ends.size()));
+  }
+  return polygons;
+}
+
+Triangulation compute(const io::Layer& layer, TriangulateOptions options, ProgressLine& progress) {
+  const InterruptFlag watch;
+  options.unite.progress = [&](Stage stage, double fraction) {
+    progress.show(name(stage), fraction);
+    return !interrupted();
+  };
+  try {
+    return triangulate(layer.regions, options);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) throw Interrupted();
+    if (error.place().contour == Place::npos) throw;
+    throw io::IoError(fmt::format("{}: {}", io::describe(layer, error.place()), error.what()));
+  }
+}
+
+void report(const Triangulation& triangulation, const Arguments& arguments, bool json) {
+  if (json) {
+    const nlohmann::ordered_json object{{"polygons", triangulation.regions.polygon_ends.size()},
+                                        {"vertices", triangulation.points.size()},
+                                        {"triangles", triangulation.triangles.size()},
+                                        {"output", arguments.output}};
+    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (!arguments.quiet) {
+    fmt::print(stderr, "{} of {}, {}, to {}\n", counted(triangulation.triangles.size(), "triangle"),
+               counted(triangulation.regions.polygon_ends.size(), "polygon"),
+               counted(triangulation.points.size(), "vertex"), arguments.output);
+  }
+}
+
+int run(const Arguments& arguments, bool json) {
+  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  io::WriteOptions write_options;
+  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  io::check_writable(arguments.output, write_options);
+
+  ProgressLine progress(!arguments.quiet);
+  io::ReadOptions read_options;
+  read_options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
+  const io::Layer layer = io::read(arguments.inputs, read_options);
+  TriangulateOptions options = arguments.options;
+  options.extent = arguments.hull ? TriangleExtent::convex_hull : TriangleExtent::interior;
+  const Triangulation triangulation = compute(layer, options, progress);
+
+  progress.show("writing", 0);
+  write_options.crs_wkt = layer.crs_wkt;
+  // Unsigned `none` becomes -1.
+  const std::vector<std::int32_t> numbers(triangulation.polygon.begin(), triangulation.polygon.end());
+  write_options.polygon_numbers = numbers;
+  io::write(arguments.output, polygons_of(triangulation), write_options);
+  progress.clear();
+  report(triangulation, arguments, json);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_triangulate(CLI::App& program, Invocation& invocation) {
+  const auto arguments = std::make_shared<Arguments>();
+  Arguments* const a = arguments.get();
+  CLI::App* command =
+      program.add_subcommand("triangulate", "Triangulate the union: constrained Delaunay, with polygon numbers.");
+  command->footer(footer);
+  command->add_option("IN", a->inputs, "vector files, folders of them, `-` for WKT on standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", a->output, "where the triangles go; `-`: WKT on standard output")
+      ->required()
+      ->type_name("OUT");
+  command
+      ->add_option_function<std::string>(
+          "--fill", [a](const std::string& word) { a->options.unite.fill_a = parse_fill(word); },
+          "what is inside: polygons (default), atleast:K, evenodd, nonzero, positive or negative")
+      ->type_name("RULE");
+  command->add_flag("--hull", a->hull, "also the triangles outside, up to the convex hull");
+  command->add_option("--threads", a->options.unite.threads, "0 (default): all cores; the result is the same")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  command->add_flag("--overwrite", a->overwrite, "replace existing files");
+  command->add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");
+  command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
+  command->add_flag("-q,--quiet", a->quiet, "no progress, no summary");
+  command->callback([arguments, &invocation] {
+    invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
+  });
+}
+
+}  // namespace oblast::app
