@@ -62,10 +62,11 @@ class Comparison {
   // A vertex that is not an input vertex, and joins two pieces of one and the same input edge, must have a reason:
   // without it the result would not be closed.
   std::optional<Fault> check_traces() const {
+    if (options_.collinear == CollinearVertices::drop) return std::nullopt;
     for (std::uint32_t u = 0; u < edges_.size(); ++u) {
       const std::uint32_t v = edges_.next[u];
       const Point &before = edges_.from(u), &at = edges_.from(v), &after = edges_.to(v);
-      if (sources_.is_vertex(at) || is_touched(v)) continue;
+      if (sources_.is_vertex(at) || is_touched(v) || sources_.may_be_resolved(at)) continue;
       const auto source = sources_.near_both(before, at);
       if (source.size() != 1 || sources_.near_both(at, after) != source) continue;
       if (closed_without(v)) {
@@ -148,7 +149,7 @@ std::optional<Fault> check_regions(const RegionView& a, const RegionView& b, Ope
 std::optional<Fault> check_against(const RegionView& a, const RegionView& b, Operation operation,
                                    const Options& options, const RegionView& result, double bound_ulps,
                                    Provenance* provenance) {
-  const Sources sources(a, b, bound_ulps);
+  const Sources sources(a, b, options, bound_ulps);
   const Edges edges(result);
   const Comparison comparison(sources, edges, options);
   Provenance counted;

@@ -23,9 +23,9 @@ struct Provenance {
 ///   collinear vertices were dropped, which joins edges);
 /// - every place that is inside the result and not inside A op B, or the reverse, lies within the bound of an
 ///   input edge, and all such places together are no larger than the bound times the length of all edges;
-/// - G3a: no input vertex lies in the interior of an edge of the result, but where edges cancelled; no vertex
-///   is left of an edge that noding cut in vain; with CollinearVertices::drop, no vertex lies exactly between its
-///   neighbours but where contours touch.
+/// - G3a, with CollinearVertices::keep: no input vertex lies in the interior of an edge of the result, but where
+///   edges cancelled; no vertex is left of an edge that noding cut in vain. With CollinearVertices::drop: no vertex
+///   lies exactly between its neighbours, but where contours touch.
 ///
 /// The bound is `bound_ulps` units in the last place of the largest coordinate of the operands.
 /// REQUIRES: check_result found no fault. Cost: O(n^3) rationals; made for less than about 100 edges.

@@ -4,27 +4,30 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verify/predicates.h"
-
 namespace oblast::verify {
 
-Sources::Sources(const RegionView& a, const RegionView& b, double bound_ulps) {
+Sources::Sources(const RegionView& a, const RegionView& b, const Options& options, double bound_ulps) {
+  collect(a, options.fill_a.by_polygon(), 0);
+  collect(b, options.fill_b.by_polygon(), a.polygon_count());
   double largest = 0;
-  for (const RegionView& regions : {a, b}) {
-    for (std::size_t c = 0; c < regions.contour_count(); ++c) {
-      const auto contour = regions.contour(c);
-      for (std::size_t v = 0; v < contour.size(); ++v) {
-        const Point from = contour[v], to = contour[(v + 1) % contour.size()];
-        largest = std::max({largest, std::abs(from.x), std::abs(from.y)});
-        vertices_.push_back(from);
-        if (from != to) edges_.push_back({from, to});
-      }
-    }
-  }
+  for (const Point& p : vertices_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   std::sort(vertices_.begin(), vertices_.end(), lexicographically_less);
   unit_ = std::nextafter(largest, HUGE_VAL) - largest;
   bound_ = bound_ulps * unit_;
   squared_bound_ = Rational(bound_) * Rational(bound_);
+}
+
+void Sources::collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon) {
+  for (std::size_t p = 0; p < regions.polygon_count(); ++p) {
+    for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
+      const auto contour = regions.contour(c);
+      for (std::size_t v = 0; v < contour.size(); ++v) {
+        const Point from = contour[v], to = contour[(v + 1) % contour.size()];
+        vertices_.push_back(from);
+        if (from != to) edges_.push_back({from, to, by_polygon ? first_polygon + p : InputEdge::npos});
+      }
+    }
+  }
 }
 
 bool Sources::is_vertex(const Point& p) const {
@@ -69,6 +72,17 @@ std::vector<std::size_t> Sources::near_both(const Point& p, const Point& q) cons
   return found;
 }
 
+bool Sources::may_be_resolved(const Point& p) const {
+  std::vector<std::size_t> polygons;
+  for (const std::size_t e : near_both(p, p)) {
+    const std::size_t polygon = edges_[e].polygon;
+    if (polygon == InputEdge::npos) continue;
+    if (std::count(polygons.begin(), polygons.end(), polygon) > 0) return true;
+    polygons.push_back(polygon);
+  }
+  return false;
+}
+
 double Sources::displacement_ulps(const Point& p) const {
   if (edges_.empty() || is_vertex(p)) return 0;
   const RationalPoint at(p);
@@ -81,13 +95,14 @@ double Sources::displacement_ulps(const Point& p) const {
 }
 
 bool Sources::may_have_cancelled(const Point& p) const {
-  // Whether f covers the beginning of e, which starts or ends at p.
+  // Whether f runs along the beginning of e, which starts or ends at p, within the bound.
   const auto covers = [&](const InputEdge& f, const InputEdge& e) {
-    const Point& far = e.from == p ? e.to : e.from;
-    if (f.from == p || f.to == p) return same_direction(p, far, f.from == p ? f.to : f.from);
-    if (side_of_line(f.from, f.to, p) != 0 || side_of_line(f.from, f.to, far) != 0) return false;
-    return std::min(f.from.x, f.to.x) <= p.x && p.x <= std::max(f.from.x, f.to.x) &&
-           std::min(f.from.y, f.to.y) <= p.y && p.y <= std::max(f.from.y, f.to.y);
+    if (!near(RationalPoint(p), f)) return false;
+    if (near(RationalPoint(e.from == p ? e.to : e.from), f)) return true;
+    const auto reaches_along = [&](const Point& q) {
+      return std::hypot(q.x - p.x, q.y - p.y) > 2 * bound_ && near(RationalPoint(q), e);
+    };
+    return reaches_along(f.from) || reaches_along(f.to);
   };
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     if (edges_[i].from != p && edges_[i].to != p) continue;

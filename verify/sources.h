@@ -1,6 +1,7 @@
 // The input edges that a result is made of: exact questions of distance and origin.
 #pragma once
 
+#include <oblast/options.h>
 #include <oblast/region_set.h>
 
 #include <vector>
@@ -12,12 +13,15 @@ namespace oblast::verify {
 struct InputEdge {
   Point from;
   Point to;
+  std::size_t polygon;  ///< counted through both operands; npos where the fill rule does not see polygons
+
+  static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 
 /// All edges of both operands, without those of length zero.
 class Sources {
  public:
-  Sources(const RegionView& a, const RegionView& b, double bound_ulps);
+  Sources(const RegionView& a, const RegionView& b, const Options& options, double bound_ulps);
 
   const std::vector<InputEdge>& edges() const { return edges_; }
 
@@ -35,13 +39,20 @@ class Sources {
   /// Edges (by index) within the bound of both points, hence of all between them.
   std::vector<std::size_t> near_both(const Point& p, const Point& q) const;
 
+  /// True when two edges of one polygon meet about p: a polygon whose rings meet is resolved by itself first, and
+  /// its new vertices then are input vertices of the overlay.
+  bool may_be_resolved(const Point& p) const;
+
   /// Distance from p to the nearest edge, in units of the last place of the largest coordinate; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
-  /// True when every edge at vertex p runs, at its start, along another input edge, so that they may have cancelled.
+  /// True when every edge at vertex p runs, at its start and within the bound, along another input edge, so that they
+  /// may have cancelled.
   bool may_have_cancelled(const Point& p) const;
 
  private:
+  void collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon);
+
   std::vector<InputEdge> edges_;
   std::vector<Point> vertices_;  // sorted
   double unit_ = 0;              // unit in the last place of the largest coordinate
