@@ -1,0 +1,10 @@
+// The engines: every one that is present gives the same bytes.
+#include "bytes_to_operands.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  oblast::fuzz::Input input = oblast::fuzz::input_from(bytes, size);
+  input.request.other_engines = true;
+  oblast::generators::Figures figures;
+  if (const auto failure = run_trial(input.operands, input.request, figures)) oblast::fuzz::report(*failure, input);
+  return 0;
+}
