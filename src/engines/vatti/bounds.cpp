@@ -1,22 +1,39 @@
 // Bounds of chains, and the stops of the scan line in order.
 #include "engines/vatti/bounds.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "exact/orientation.h"
 
 namespace oblast::vatti {
 namespace {
 
-class Builder {
+/// A bound with its stops as they were numbered when found.
+struct FoundBound {
+  std::uint32_t first, last, chain, start, top;
+};
+
+/// A stop with its place, for sorting.
+struct PlacedStop {
+  Point p;
+  std::uint32_t stop;
+};
+
+/// Step 1: chains to bounds. Stops of nodes have the nodes' numbers, others follow.
+class Finder {
  public:
-  explicit Builder(const ChainGraph& graph) : graph_(graph) {
-    // Stops of nodes come first and have the nodes' numbers.
-    result_.stops.resize(graph.node_count());
-  }
+  explicit Finder(const ChainGraph& graph)
+      : graph_(graph), is_stop_(graph.node_count(), 0), stop_count_(static_cast<std::uint32_t>(graph.node_count())) {}
 
   void add(std::uint32_t c) {
     const Chain& chain = graph_.chains[c];
-    std::uint32_t stop = chain.is_loop() ? new_stop(chain.first) : chain.from;
-    const std::uint32_t end_stop = chain.is_loop() ? stop : chain.to;
+    std::uint32_t stop = chain.is_loop() ? new_stop(chain.first) : node_stop(chain.from);
+    const std::uint32_t end_stop = chain.is_loop() ? stop : node_stop(chain.to);
     std::uint32_t begin = chain.first;
     bool rightward = is_rightward(begin);
     for (std::uint32_t v = begin + 1; v < chain.last; ++v) {
@@ -31,48 +48,98 @@ class Builder {
     add_bound(begin, chain.last, stop, end_stop, c, rightward);
   }
 
-  Bounds take() {
-    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-      const Stop& stop = result_.stops[node];
-      if (stop.start != none || stop.finish != none)
-        result_.order.push_back({graph_.point(graph_.node_vertex[node]), node});
-    }
-    tbb::parallel_sort(result_.order.begin(), result_.order.end(),
-                       [](const PlacedStop& r, const PlacedStop& s) { return lexicographically_less(r.p, s.p); });
-    return std::move(result_);
-  }
+  const std::vector<FoundBound>& bounds() const { return bounds_; }
+  std::vector<PlacedStop>& stops() { return stops_; }
+  std::uint32_t stop_count() const { return stop_count_; }  ///< those of dead nodes included
 
  private:
   /// True when the edge that starts at the vertex runs to the right.
   bool is_rightward(std::uint32_t v) const { return lexicographically_less(graph_.point(v), graph_.point(v + 1)); }
 
   std::uint32_t new_stop(std::uint32_t vertex) {
-    const auto stop = static_cast<std::uint32_t>(result_.stops.size());
-    result_.stops.emplace_back();
-    result_.order.push_back({graph_.point(vertex), stop});
-    return stop;
+    stops_.push_back({graph_.point(vertex), stop_count_});
+    return stop_count_++;
+  }
+
+  std::uint32_t node_stop(std::uint32_t node) {
+    if (!is_stop_[node]) stops_.push_back({graph_.point(graph_.node_vertex[node]), node});
+    is_stop_[node] = 1;
+    return node;
   }
 
   void add_bound(std::uint32_t from, std::uint32_t to, std::uint32_t from_stop, std::uint32_t to_stop,
                  std::uint32_t chain, bool rightward) {
-    const auto bound = static_cast<std::uint32_t>(result_.bounds.size());
-    Stop& start = result_.stops[rightward ? from_stop : to_stop];
-    const std::uint32_t top = rightward ? to_stop : from_stop;
-    result_.bounds.push_back({rightward ? from : to, rightward ? to : from, chain, top, start.start});
-    start.start = bound;
-    result_.stops[top].finish = bound;
+    if (rightward)
+      bounds_.push_back({from, to, chain, from_stop, to_stop});
+    else
+      bounds_.push_back({to, from, chain, to_stop, from_stop});
   }
 
   const ChainGraph& graph_;
-  Bounds result_;
+  std::vector<std::uint8_t> is_stop_;  ///< by node
+  std::uint32_t stop_count_;
+  std::vector<FoundBound> bounds_;
+  std::vector<PlacedStop> stops_;
 };
+
+/// Step 2: the stops in order, each with room for the bounds that start there.
+/// `place_of` gets, by number of a stop, its place in the order.
+std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_of) {
+  std::vector<PlacedStop>& placed = found.stops();
+  tbb::parallel_sort(placed.begin(), placed.end(),
+                     [](const PlacedStop& r, const PlacedStop& s) { return lexicographically_less(r.p, s.p); });
+  place_of.resize(found.stop_count());
+  std::vector<Stop> stops(placed.size() + 1);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    stops[i].p = placed[i].p;
+    place_of[placed[i].stop] = static_cast<std::uint32_t>(i);
+  }
+  for (const FoundBound& b : found.bounds()) ++stops[place_of[b.start] + 1].bounds_begin;
+  for (std::size_t i = 1; i < stops.size(); ++i) stops[i].bounds_begin += stops[i - 1].bounds_begin;
+  return stops;
+}
 
 }  // namespace
 
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains) {
-  Builder builder(graph);
-  for (const std::uint32_t c : chains) builder.add(c);
-  return builder.take();
+  Finder found(graph);
+  for (const std::uint32_t c : chains) found.add(c);
+  std::vector<std::uint32_t> place_of;
+  Bounds result;
+  result.stops = order_stops(found, place_of);
+
+  // Step 3: bounds to their places.
+  result.bounds.resize(found.bounds().size());
+  std::vector<std::uint32_t> filled(result.stop_count(), 0);
+  using Range = tbb::blocked_range<std::size_t>;
+  tbb::parallel_for(Range(0, found.bounds().size(), 4096), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const FoundBound& b = found.bounds()[i];
+      const std::uint32_t start = place_of[b.start];
+      const std::uint32_t at = result.stops[start].bounds_begin + std::atomic_ref(filled[start]).fetch_add(1);
+      const Winding change = graph.chains[b.chain].change;
+      const bool rightward = b.first < b.last;
+      result.bounds[at] = {graph.point(rightward ? b.first + 1 : b.first - 1),
+                           b.first,
+                           b.last,
+                           b.chain,
+                           place_of[b.top],
+                           rightward ? change : -change};
+    }
+  });
+
+  // Step 4: at each stop from below to above.
+  tbb::parallel_for(Range(0, result.stop_count(), 4096), [&](const Range& range) {
+    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+      const auto begin = result.bounds.begin() + result.stops[s].bounds_begin;
+      const auto end = result.bounds.begin() + result.stops[s + 1].bounds_begin;
+      if (end - begin < 2) continue;
+      const Point& p = result.stops[s].p;
+      std::sort(begin, end,
+                [&](const Bound& r, const Bound& t) { return exact::orientation(p, r.second, t.second) > 0; });
+    }
+  });
+  return result;
 }
 
 }  // namespace oblast::vatti

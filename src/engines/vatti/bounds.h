@@ -4,6 +4,9 @@
 //      min<      \___            lexicographically monotone. The scan line stops at every point where
 //          \___      \___        bounds start or finish: nodes of the graph, local minima and maxima
 //              \_________>max    inside chains, and the seams of closed chains.
+//
+// Both are laid out in the order in which the scan line comes to them, so that the scan reads memory
+// forwards. All that is out of order, and the sorting, is done here, in parallel.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +18,34 @@
 namespace oblast::vatti {
 
 struct Bound {
+  Point second;         ///< its second vertex
   std::uint32_t first;  ///< vertex of its smaller end
   std::uint32_t last;   ///< vertex of its larger end
-  std::uint32_t chain;
-  std::uint32_t top;         ///< stop where it finishes
-  std::uint32_t next_start;  ///< another bound that starts at the same stop, or none
+  std::uint32_t chain;  ///< which it is a part of
+  std::uint32_t top;    ///< stop where it finishes
+  Winding change;       ///< winding numbers above it minus those below
 
   bool is_rightward() const { return first < last; }  ///< runs as its chain does
   std::uint32_t step() const { return is_rightward() ? 1U : ~0U; }
 };
 
-/// What happens at one place.
 struct Stop {
-  std::uint32_t start = none;   ///< head of the list of the bounds that start here
-  std::uint32_t finish = none;  ///< one of the bounds that finish here; the others are its neighbours by then
-};
-
-/// A stop with its place, for sorting.
-struct PlacedStop {
   Point p;
-  std::uint32_t stop;
+  std::uint32_t bounds_begin = 0;  ///< the first of the bounds that start here; past the last is the next stop's first
 };
 
 struct Bounds {
-  std::vector<Bound> bounds;
-  std::vector<Stop> stops;
-  std::vector<PlacedStop> order;  ///< the stops where something happens, lexicographically sorted
+  std::vector<Bound> bounds;  ///< by the stop where they start; at one stop from below to above
+  std::vector<Stop> stops;    ///< in lexicographic order, and one more behind the last
+
+  std::size_t stop_count() const { return stops.size() - 1; }
+  std::span<const Bound> starting_at(std::size_t stop) const {
+    return std::span(bounds).subspan(stops[stop].bounds_begin, stops[stop + 1].bounds_begin - stops[stop].bounds_begin);
+  }
 };
 
 /// The bounds of the given chains. REQUIRES: the chains are live and meet only at their ends.
-/// Cost: O(n + s log s), n vertices of these chains, s stops.
+/// Cost: O(n + (r + s) log (r + s)), n vertices of these chains, r bounds, s stops.
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains);
 
 }  // namespace oblast::vatti

@@ -7,12 +7,9 @@
 //        `under`
 #include "engines/vatti/label.h"
 
-#include <algorithm>
-
 #include "engines/vatti/active_edges.h"
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
-#include "exact/orientation.h"
 
 namespace oblast::vatti {
 namespace {
@@ -20,85 +17,54 @@ namespace {
 class Scan {
  public:
   Scan(const ChainGraph& graph, std::span<const std::uint32_t> chains, std::vector<Winding>& right)
-      : graph_(graph),
+      : bounds_(find_bounds(graph, chains)),
         right_(right),
-        labelled_(graph.chains.size(), false),
-        bounds_(find_bounds(graph, chains)),
-        slot_of_(bounds_.bounds.size()),
+        finishing_(bounds_.stop_count(), none),
         active_(graph.strands.points) {}
 
   void run() {
-    for (const PlacedStop& placed : bounds_.order) pass(placed);
+    for (std::uint32_t stop = 0; stop < bounds_.stop_count(); ++stop) pass(stop);
   }
 
  private:
-  void pass(const PlacedStop& placed) {
-    const Stop& stop = bounds_.stops[placed.stop];
-    collect_starting(placed.p, stop);
-    Slot under;
-    if (stop.finish == none) {
-      under = active_.find_below(placed.p);
+  void pass(std::uint32_t stop) {
+    const Point& p = bounds_.stops[stop].p;
+    Slot slot = finishing_[stop];
+    if (slot == none) {
+      slot = active_.find_below(p);
     } else {
-      under = slot_of_[stop.finish];
-      while (under != ground && active_[under].top == placed.stop) under = active_.below(under);
+      while (slot != ground && active_[slot].top == stop) slot = active_.below(slot);
     }
 
     // Slots of finishing bounds are given to starting ones; what is left over is erased or inserted.
-    Slot slot = under;
+    const std::span<const Bound> starting = bounds_.starting_at(stop);
     std::size_t started = 0;
-    for (Slot next; (next = active_.above(slot)) != none && active_[next].top == placed.stop;) {
-      if (started == starting_.size()) {
+    for (Slot next; (next = active_.above(slot)) != none && active_[next].top == stop;) {
+      if (started == starting.size()) {
         active_.erase(next);
         continue;
       }
-      active_[next] = start(starting_[started], active_[slot].above);
-      slot_of_[starting_[started++]] = slot = next;
+      const Bound& bound = starting[started++];
+      active_[next] = start(p, bound, active_[slot].above);
+      finishing_[bound.top] = slot = next;
     }
-    for (; started < starting_.size(); ++started) {
-      slot = active_.insert_above(slot, start(starting_[started], active_[slot].above));
-      slot_of_[starting_[started]] = slot;
+    for (; started < starting.size(); ++started) {
+      const Bound& bound = starting[started];
+      finishing_[bound.top] = slot = active_.insert_above(slot, start(p, bound, active_[slot].above));
     }
   }
 
-  /// The bounds that start at p, from below to above.
-  void collect_starting(const Point& p, const Stop& stop) {
-    starting_.clear();
-    for (std::uint32_t b = stop.start; b != none; b = bounds_.bounds[b].next_start) starting_.push_back(b);
-    if (starting_.size() < 2) return;
-    std::sort(starting_.begin(), starting_.end(),
-              [&](std::uint32_t r, std::uint32_t s) { return exact::orientation(p, second(r), second(s)) > 0; });
+  /// A bound with `below` under it: labels its chain. Further bounds of one chain give it the same label.
+  ActiveEdge start(const Point& p, const Bound& bound, Winding below) {
+    const Winding above = below + bound.change;
+    right_[bound.chain] = bound.is_rightward() ? below : above;
+    return {p, bound.second, bound.first + bound.step(), bound.step(), bound.last, bound.top, above};
   }
 
-  /// The second vertex of a bound.
-  const Point& second(std::uint32_t b) const {
-    return graph_.point(bounds_.bounds[b].first + bounds_.bounds[b].step());
-  }
-
-  /// A bound with `below` under it: labels its chain, unless another bound of the chain has done so.
-  ActiveEdge start(std::uint32_t b, Winding below) {
-    const Bound& bound = bounds_.bounds[b];
-    const Winding change = graph_.chains[bound.chain].change;
-    if (!labelled_[bound.chain]) {
-      labelled_[bound.chain] = true;
-      right_[bound.chain] = bound.is_rightward() ? below : below - change;
-    }
-    const std::uint32_t next = bound.first + bound.step();
-    return {graph_.point(bound.first),
-            graph_.point(next),
-            next,
-            bound.step(),
-            bound.last,
-            bound.top,
-            bound.is_rightward() ? below + change : below - change};
-  }
-
-  const ChainGraph& graph_;
+  const Bounds bounds_;
   std::vector<Winding>& right_;
-  std::vector<bool> labelled_;  ///< by chain
-  Bounds bounds_;
-  std::vector<Slot> slot_of_;  ///< by bound, while it is active
+  std::vector<Slot> finishing_;  ///< by stop: slot of an active bound that finishes there
   ActiveEdges active_;
-  std::vector<std::uint32_t> starting_;
 };
 
 }  // namespace
