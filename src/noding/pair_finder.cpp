@@ -21,12 +21,10 @@ constexpr double box_growth = 1.3;
 constexpr double largest_growth = 1.8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A half-open cell (its lower and left sides belong to it), or, once edges are clipped, just "clipped".
+/// The part of the plane that entries are looked at in; its bounds matter until edges are clipped to it.
 struct Cell {
   double x0 = -infinity, y0 = -infinity, x1 = infinity, y1 = infinity;
   bool clipped = false;
-
-  bool holds(double x, double y) const { return clipped || (x0 <= x && x < x1 && y0 <= y && y < y1); }
 
   std::pair<Cell, Cell> halves(const CellCut& cut) const {
     Cell left = *this, right = *this;
@@ -150,7 +148,7 @@ class Finder {
       }
       const CellCut cut = choose_cut(entries, task.begin, task.cell);
       if (cut.growth == infinity) {
-        test_all(tail(entries, task.begin), task.cell, batch);
+        test_all(tail(entries, task.begin), batch);
         entries.resize(task.begin);
         continue;
       }
@@ -171,14 +169,13 @@ class Finder {
     if (!batch.empty()) visit_(batch);
   }
 
-  void test_all(std::span<const Entry> entries, const Cell& cell, std::vector<RunPair>& batch) const {
+  void test_all(std::span<const Entry> entries, std::vector<RunPair>& batch) const {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Entry& p = entries[i];
       for (std::size_t j = i + 1; j < entries.size(); ++j) {
         const Entry& q = entries[j];
         if (!p.box.meets(q.box)) continue;
         if (p.group == q.group && p.group != any_group) continue;
-        if (!cell.holds(std::max(p.box.x0, q.box.x0), std::max(p.box.y0, q.box.y0))) continue;
         batch.push_back({p.first, p.last, q.first, q.last});
       }
       if (batch.size() >= batch_size) {

@@ -2,15 +2,14 @@
 //
 // A cell of the plane with the boxes that touch it is cut at the median of a sample, on the axis that
 // leaves fewer boxes on both sides, until about thirty are left; then every pair is tested. A box that
-// straddles the cut goes to both halves. The pair (p, q) belongs to the cell that holds the lower left
-// corner of the intersection of their boxes, so it is found once. A cell all of whose boxes are of
+// straddles the cut goes to both halves, so a pair may be found more than once. A cell all of whose boxes are of
 // one group (strands.h) is dropped at once: this is what makes later rounds, which look only for what
 // the moved pieces can reach, and pairs of large polygons that seldom meet, cheap.
 //
 // Where too many boxes straddle (long slanting edges, bundles, fans) boxes say too little. There the search
 // goes on with single edges, clipped to the cell, and a cut may also follow the line of one of the
 // edges: a binary space partition by edges chosen at random, which expects O(n log n + k) pieces
-// however the edges lie (Paterson and Yao 1990). There a pair may be found more than once.
+// however the edges lie (Paterson and Yao 1990).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ struct RunPair {
 /// Called a batch at a time, from several threads at once.
 using PairVisitor = std::function<void(std::span<const RunPair>)>;
 
-/// Visits, for every two edges of different runs whose closed boxes meet, a pair of runs that holds them,
+/// Visits, for every two edges of different runs that meet, a pair of runs that holds them, once or more often,
 /// except where both are of one group other than any_group. Edge i is (points[i], points[i + 1]).
 /// Cost: O((n + k) log n) expected, for k pairs. Memory O(n).
 void find_pairs(std::span<const Point> points, std::span<const Run> runs, const PairVisitor& visit);
