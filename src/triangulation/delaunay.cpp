@@ -6,6 +6,7 @@
 
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
+#include "triangulation/locate.h"
 #include "triangulation/spatial_order.h"
 
 namespace oblast::triangulation {
@@ -13,14 +14,6 @@ namespace {
 
 using exact::in_circle;
 using exact::orientation;
-
-/// Where a point lies: strictly inside a triangle (for a ghost: strictly beyond its hull side), on a side,
-/// or at a vertex.
-struct Place {
-  enum class Kind { inside, on_side, at_vertex };
-  Kind kind;
-  HalfEdge half_edge;  ///< inside: any of the triangle; on_side: that side; at_vertex: one that leaves it
-};
 
 class Insertion {
  public:
@@ -93,7 +86,7 @@ class Insertion {
   }
 
   void insert(std::uint32_t i) {
-    const Place place = locate(mesh_.points[i]);
+    const Place place = locate(mesh_, last_, mesh_.points[i]);
     if (place.kind == Place::Kind::at_vertex) {
       mesh_.vertex_of[order_[i]] = mesh_.origin(place.half_edge);
       last_ = triangle_of(place.half_edge);
@@ -105,49 +98,6 @@ class Insertion {
     else
       part_side(place.half_edge, v);
     flip_illegal(v);
-  }
-
-  /// Walks from the last triangle, at each step across a side that has p strictly on its right. In a Delaunay
-  /// triangulation such a walk cannot come round: the power of p with respect to the circles falls.
-  Place locate(const Point& p) const {
-    const Mesh& m = mesh_;
-    const Triangle* t = &m.triangles[last_];
-    HalfEdge at = half_edge(last_, 0);  // the side come by, which has p strictly on its left
-    if (t->is_ghost()) {
-      at = half_edge(last_, t->vertex[0] == infinite_vertex ? 1 : t->vertex[1] == infinite_vertex ? 2 : 0);
-      at = m.twin(at);
-      t = &m.triangles[triangle_of(at)];
-    }
-    int first = orientation(m.points[m.origin(at)], m.points[m.target(at)], p);
-    if (first < 0) {
-      at = m.twin(at);
-      t = &m.triangles[triangle_of(at)];
-      first = 1;
-      if (t->is_ghost()) return {Place::Kind::inside, at};
-    }
-    for (;;) {
-      const HalfEdge right = next(at), left = previous(at);
-      const Point &a = m.points[m.origin(at)], &b = m.points[m.origin(right)], &c = m.points[m.origin(left)];
-      const int beyond_right = orientation(b, c, p);
-      const int beyond_left = beyond_right < 0 ? 1 : orientation(c, a, p);
-      if (beyond_right >= 0 && beyond_left >= 0) return settled(at, first, beyond_right, beyond_left);
-      at = m.twin(beyond_right < 0 ? right : left);
-      first = 1;
-      t = &m.triangles[triangle_of(at)];
-      if (t->is_ghost()) return {Place::Kind::inside, at};
-    }
-  }
-
-  /// The point is on no side's right; `s0`, `s1`, `s2` are the orientations with `at` and the sides after it.
-  static Place settled(HalfEdge at, int s0, int s1, int s2) {
-    const HalfEdge h1 = next(at), h2 = previous(at);
-    if (s0 == 0 && s1 == 0) return {Place::Kind::at_vertex, h1};
-    if (s1 == 0 && s2 == 0) return {Place::Kind::at_vertex, h2};
-    if (s2 == 0 && s0 == 0) return {Place::Kind::at_vertex, at};
-    if (s0 == 0) return {Place::Kind::on_side, at};
-    if (s1 == 0) return {Place::Kind::on_side, h1};
-    if (s2 == 0) return {Place::Kind::on_side, h2};
-    return {Place::Kind::inside, at};
   }
 
   std::uint32_t add_triangle() {
