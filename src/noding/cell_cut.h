@@ -12,11 +12,7 @@
 namespace oblast::noding {
 
 /// A run, or a single edge, with the box of what of it is in the cell.
-struct Entry {
-  Box box;
-  std::uint32_t first, last;  ///< its edges
-  Group group;
-};
+using Entry = Run;
 
 /// Where a cut runs: at a value of x or of y, or along the line of an edge.
 enum class CutKind : std::uint8_t { at_x, at_y, along_edge };

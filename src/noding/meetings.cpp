@@ -217,10 +217,10 @@ void keep_monotone(const std::vector<Point>& points, std::vector<EdgeCut>& cuts)
 
 }  // namespace
 
-std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, Settling settling,
+std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint) {
   tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
-  find_pairs(strands.points, runs, [&](std::span<const RunPair> pairs) {
+  find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
     MeetingTest test(strands, settling, found.local());
     for (const RunPair& pair : pairs) test.test_runs(pair);

@@ -44,7 +44,7 @@ struct Settling {
 /// the vertex that lies there, if any, flagged. The cuts come sorted by edge and along it, each once: a
 /// function of the set of edges alone.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
-std::vector<EdgeCut> find_meetings(Strands& strands, std::span<const Run> runs, Settling settling,
+std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint = {});
 
 }  // namespace oblast::noding

@@ -56,9 +56,9 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   flag_closed_strands(strands);
   std::vector<Point> input;  // the vertices as given, once there were cuts
   for (Grouping grouping = Grouping::by_strand;; grouping = Grouping::by_moved) {
-    const std::vector<Run> runs = monotone_runs(strands, grouping);
     ++report.rounds;
-    const std::vector<EdgeCut> cuts = find_meetings(strands, runs, Settling::of_round(report.rounds), checkpoint);
+    const std::vector<EdgeCut> cuts =
+        find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint);
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

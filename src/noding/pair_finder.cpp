@@ -47,12 +47,9 @@ class Finder {
  public:
   Finder(std::span<const Point> points, const PairVisitor& visit) : points_(points), visit_(visit) {}
 
-  void run(std::span<const Run> runs) {
-    std::vector<Entry> entries;
-    entries.reserve(runs.size());
-    for (const Run& r : runs) entries.push_back({r.box, r.first, r.last, r.group});
+  void run(std::vector<Run> runs) {
     tbb::task_group tasks;
-    split_in_parallel(std::move(entries), Cell{}, tasks);
+    split_in_parallel(std::move(runs), Cell{}, tasks);
     tasks.wait();
   }
 
@@ -191,8 +188,8 @@ class Finder {
 
 }  // namespace
 
-void find_pairs(std::span<const Point> points, std::span<const Run> runs, const PairVisitor& visit) {
-  Finder(points, visit).run(runs);
+void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit) {
+  Finder(points, visit).run(std::move(runs));
 }
 
 }  // namespace oblast::noding

@@ -33,6 +33,7 @@ using PairVisitor = std::function<void(std::span<const RunPair>)>;
 /// Visits, for every two edges of different runs that meet, a pair of runs that holds them, once or more often,
 /// except where both are of one group other than any_group. Edge i is (points[i], points[i + 1]).
 /// Cost: O((n + k) log n) expected, for k pairs. Memory O(n).
-void find_pairs(std::span<const Point> points, std::span<const Run> runs, const PairVisitor& visit);
+/// The runs are taken over: they are many, and rearranged as the search goes.
+void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit);
 
 }  // namespace oblast::noding

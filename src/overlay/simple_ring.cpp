@@ -76,8 +76,8 @@ bool large_ring_is_simple(std::span<const Point> ring) {
   strand.close_strand({}, noding::any_group);
   strand.flags.assign(strand.points.size(), 0);
   strand.flags.front() = strand.flags.back() = noding::closed_flag;
-  const auto runs = noding::monotone_runs(strand, noding::Grouping::by_strand);
-  if (!noding::find_meetings(strand, runs, {}).empty()) return false;
+  auto runs = noding::monotone_runs(strand, noding::Grouping::by_strand);
+  if (!noding::find_meetings(strand, std::move(runs), {}).empty()) return false;
   return std::none_of(strand.flags.begin(), strand.flags.end(),
                       [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
 }
