@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "io/read.h"
@@ -98,8 +99,13 @@ long double input_area(const std::vector<io::Layer>& layers) {
   return sum;
 }
 
+// A case that never ends must not keep the others from being reported.
+constexpr std::chrono::seconds patience{120};
+
 RegionSet compute(const CorpusCase& corpus_case, const std::vector<io::Layer>& layers, Engine engine) {
   Options options;
+  const auto until = std::chrono::steady_clock::now() + patience;
+  options.progress = [until](Stage, double) { return std::chrono::steady_clock::now() < until; };
   options.engine = engine;
   options.threads = 1;  // the cases themselves run side by side
   options.fill_a = options.fill_b = corpus_case.fill;
@@ -156,6 +162,9 @@ std::optional<std::string> run_case(const CorpusCase& corpus_case) {
                          corpus_case.area, std::fabs(area - corpus_case.area), allowed);
     }
     return std::nullopt;
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) return fmt::format("not done within {} s", patience.count());
+    return std::string("error: ") + error.what();
   } catch (const std::exception& error) {
     return std::string("error: ") + error.what();
   }

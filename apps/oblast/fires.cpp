@@ -34,13 +34,20 @@ double clamp(double value, double low, double high) { return std::min(std::max(v
 // A bell without libm: the sum of three uniform numbers, within +-1.5.
 double bell(Random& random) { return random.uniform() + random.uniform() + random.uniform() - 1.5; }
 
+bool in_russia(Point p) { return p.x > west + 1 && p.x < east - 1 && p.y > south + 0.5 && p.y < north - 0.5; }
+
 // Where fires gather is the same in all months: villages, roads and forest of one country.
 Point fire_place(std::uint64_t seed, Random& random) {
-  const std::uint32_t region = random.below(fire_region_count);
-  Random centre(mix(seed, 1000 + region));
-  const double x = centre.uniform(west + 2, east - 2), y = centre.uniform(south + 1, north - 6);
-  return {clamp(x + bell(random) * fire_region_km / km_per_degree_lon, west + 0.5, east - 0.5),
-          clamp(y + bell(random) * fire_region_km / km_per_degree_lat, south + 0.5, north - 0.5)};
+  while (true) {
+    if (random.chance(scattered_share))
+      return {random.uniform(west + 1, east - 1), random.uniform(south + 1, north - 3)};
+    Random region(mix(seed, 1000 + random.below(fire_region_count)));
+    const double x = region.uniform(west, east), y = region.uniform(south, north - 4);
+    const double reach_x = region.uniform(0.3, 1.7) * fire_region_km,
+                 reach_y = region.uniform(0.3, 1.2) * fire_region_km;
+    const Point place{x + bell(random) * reach_x / km_per_degree_lon, y + bell(random) * reach_y / km_per_degree_lat};
+    if (in_russia(place)) return place;
+  }
 }
 
 Point flare_place(std::uint64_t seed, int flare) {

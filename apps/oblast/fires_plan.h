@@ -17,17 +17,18 @@ struct FirePlan {
 };
 
 inline constexpr FirePlan fire_plans[] = {
-    {4, 0.23, 4.0, 0.6, 0.1, 6, 0.65, 0.15, 0.04, {0.07, 0.28}},
-    {5, 0.50, 5.0, 0.6, 0.1, 6, 0.65, 0.2, 0.12, {0.33, 0.10}},
-    {6, 0.24, 5.0, 0.6, 0.1, 11, 0.62, 0.13, 0.26, {0.38, 0.10}},
-    {7, 0.40, 4.0, 0.5, 0, 1, 0.5, 0.22, 0.15, {0.7, 0.2}},
-    {9, 0.26, 4.0, 0.5, 0, 1, 0.5, 0.17, 0.14, {0.1, 0.75}},
-    {10, 0.20, 4, 0.5, 0, 1, 0.5, 0.12, 0.11, {0.1, 0.5}},
+    {4, 0.24, 4.0, 0.6, 0.1, 7, 0.65, 0.15, 0.06, {0.05, 0.30}},
+    {5, 0.52, 5.0, 0.6, 0.1, 6, 0.65, 0.2, 0.12, {0.41, 0.10}},
+    {6, 0.22, 5.0, 0.6, 0.1, 8, 0.62, 0.16, 0.14, {0.42, 0.10}},
+    {7, 0.40, 4.0, 0.5, 0, 1, 0.5, 0.23, 0.15, {0.74, 0.2}},
+    {9, 0.28, 4.0, 0.5, 0, 1, 0.5, 0.17, 0.14, {0.1, 0.90}},
+    {10, 0.20, 4, 0.5, 0, 1, 0.5, 0.12, 0.11, {0.08, 0.54}},
 };
 
 inline constexpr double stray_pixels_dropped = 0.35;  ///< of the lone pixels beside a merged patch
 inline constexpr int flare_count = 160;               ///< gas flares, mostly in Western Siberia
-inline constexpr int fire_region_count = 60;          ///< where fires gather, the same in every month
-inline constexpr double fire_region_km = 450;         ///< how far they spread there
+inline constexpr int fire_region_count = 70;          ///< where fires gather, the same in every month
+inline constexpr double fire_region_km = 400;         ///< how far they spread there, more or less
+inline constexpr double scattered_share = 0.1;        ///< of the fires: anywhere
 
 }  // namespace oblast::app

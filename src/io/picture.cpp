@@ -160,7 +160,8 @@ std::string mark_zoom(const Frame& main, const Frame& zoom) {
   return fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\" "
       "stroke-width=\"2\"/>"
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" fill=\"{}\" text-anchor=\"{}\">enlarged</text>\n"
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" fill=\"{}\" text-anchor=\"{}\" stroke=\"#fff\" "
+      "stroke-width=\"3\" paint-order=\"stroke\">enlarged</text>\n"
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\" "
       "stroke-width=\"2\"/>\n",
       left, top, width, height, colour_zoom, label_left ? left - 5 : left + width + 5, y + 4, colour_zoom,

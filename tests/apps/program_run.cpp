@@ -1,0 +1,94 @@
+// fork, exec, pipes.
+#include "apps/program_run.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace oblast::test {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The child's output goes to files: nothing can block, whatever it says.
+Run start(const std::vector<std::string>& arguments, const std::string& input, bool interrupt) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const Folder folder;
+  int feed[2];
+  if (::pipe(feed) != 0) throw std::runtime_error("pipe");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(feed[0], STDIN_FILENO);
+    ::close(feed[0]);
+    ::close(feed[1]);
+    if (!std::freopen(folder.path("out").c_str(), "w", stdout) ||
+        !std::freopen(folder.path("err").c_str(), "w", stderr))
+      ::_exit(126);
+    std::signal(SIGPIPE, SIG_DFL);
+    std::vector<char*> words{const_cast<char*>("oblast")};
+    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    ::execv(OBLAST_PROGRAM, words.data());
+    ::_exit(127);
+  }
+  ::close(feed[0]);
+  for (std::size_t at = 0; at < input.size();) {
+    const ssize_t written = ::write(feed[1], input.data() + at, input.size() - at);
+    if (written <= 0) break;  // the program did not want it
+    at += static_cast<std::size_t>(written);
+  }
+  if (interrupt)
+    ::kill(child, SIGINT);
+  else
+    ::close(feed[1]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (interrupt) ::close(feed[1]);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
+}
+
+}  // namespace
+
+Folder::Folder() {
+  std::string pattern = (fs::temp_directory_path() / "oblast-test-XXXXXX").string();
+  if (!::mkdtemp(pattern.data())) throw std::runtime_error("mkdtemp");
+  path_ = pattern;
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> Folder::names() const {
+  std::vector<std::string> result;
+  for (const auto& entry : fs::directory_iterator(path_)) result.push_back(entry.path().filename().string());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Run oblast_program(const std::vector<std::string>& arguments, const std::string& input) {
+  return start(arguments, input, false);
+}
+
+Run interrupted_program(const std::vector<std::string>& arguments, const std::string& input) {
+  return start(arguments, input, true);
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_file(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+}  // namespace oblast::test

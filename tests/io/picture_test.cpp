@@ -1,0 +1,168 @@
+// Pictures: well-formed, complete in what they say, and small whatever goes in.
+#include "io/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <regex>
+
+#include "io/layer.h"
+
+namespace oblast::io {
+namespace {
+
+constexpr std::size_t largest_picture = 4'500'000;  // bytes
+
+RegionSet square(double x, double y, double side) {
+  return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, {4}, {1}};
+}
+
+void append(RegionSet& to, const RegionSet& one) {
+  to.points.insert(to.points.end(), one.points.begin(), one.points.end());
+  to.contour_ends.push_back(static_cast<std::uint32_t>(to.points.size()));
+  to.polygon_ends.push_back(static_cast<std::uint32_t>(to.contour_ends.size()));
+}
+
+// Every opened element is closed in its order: enough of XML for what the writer makes.
+bool well_formed(const std::string& svg) {
+  std::vector<std::string> open;
+  for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+    const std::size_t end = svg.find('>', at);
+    if (end == std::string::npos) return false;
+    if (svg[end - 1] == '/') continue;
+    const bool closes = svg[at + 1] == '/';
+    const std::size_t begin = at + (closes ? 2 : 1);
+    const std::string name = svg.substr(begin, svg.find_first_of(" \n>", begin) - begin);
+    if (!closes) {
+      open.push_back(name);
+    } else {
+      if (open.empty() || open.back() != name) return false;
+      open.pop_back();
+    }
+  }
+  return open.empty();
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+TEST(Picture, ShowsOperandsResultAndLegend) {
+  const RegionSet a = square(0, 0, 2), b = square(1, 1, 2), result = square(1, 1, 1);
+  Picture picture{a, b, result, "A & B < C", "first", "second", "intersection"};
+  const std::string svg = to_svg(picture);
+  EXPECT_TRUE(well_formed(svg)) << svg;
+  EXPECT_NE(svg.find("A &amp; B &lt; C"), std::string::npos);
+  EXPECT_NE(svg.find("first: 1 contours, 4 vertices"), std::string::npos);
+  EXPECT_NE(svg.find("second: "), std::string::npos);
+  EXPECT_NE(svg.find("intersection: "), std::string::npos);
+  EXPECT_EQ(count(svg, "clipPath id="), 1u);  // nothing needs enlarging
+}
+
+TEST(Picture, OfNothingIsStillAPicture) {
+  EXPECT_TRUE(well_formed(to_svg(Picture{})));
+  const RegionSet flat{{{1, 1}, {1, 1}, {1, 1}}, {3}, {1}};
+  Picture picture;
+  picture.a = flat;
+  EXPECT_TRUE(well_formed(to_svg(picture)));
+}
+
+TEST(Picture, ExtremeCoordinatesAreDrawn) {
+  for (const double scale : {0x1p-290, 1.0, 0x1p290}) {
+    const RegionSet a = square(-scale, -scale, 2 * scale);
+    Picture picture;
+    picture.a = a;
+    picture.result = a;
+    const std::string svg = to_svg(picture);
+    EXPECT_TRUE(well_formed(svg));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+    EXPECT_LT(svg.size(), 20'000u);
+  }
+  const RegionSet far = square(1e15, 1e15, 1);  // ticks closer than numbers can be
+  Picture picture;
+  picture.a = far;
+  EXPECT_LT(to_svg(picture).size(), 20'000u);
+}
+
+TEST(Picture, LongitudesAreSqueezedByTheLatitude) {
+  const auto path_of = [](MapProjection projection) {
+    const RegionSet a = square(10, 59, 2);
+    Picture picture;
+    picture.a = a;
+    picture.projection = projection;
+    std::smatch match;
+    const std::string svg = to_svg(picture);
+    EXPECT_TRUE(
+        std::regex_search(svg, match, std::regex("<path d=\"M(-?\\d+) (-?\\d+)l(-?\\d+) (-?\\d+) (-?\\d+)(-\\d+)")));
+    return std::abs(std::stod(match[3]) / std::stod(match[6]));
+  };
+  EXPECT_NEAR(path_of(MapProjection::plane), 1, 0.01);
+  EXPECT_NEAR(path_of(MapProjection::longitude_latitude), 0.5, 0.01);
+}
+
+TEST(Picture, SpecksAreGatheredSaidAndEnlarged) {
+  RegionSet specks;
+  std::mt19937 random(5);
+  for (int k = 0; k < 200'000; ++k) append(specks, square(random() % 1'000'000, random() % 500'000, 20));
+  for (int k = 0; k < 50; ++k) append(specks, square(700'000 + 15 * (k % 10), 300'000 + 15 * (k / 10), 20));
+  Picture picture;
+  picture.a = specks;
+  picture.result = specks;
+  const std::string svg = to_svg(picture);
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_LT(svg.size(), largest_picture);
+  EXPECT_NE(svg.find("400,100 contours below a pixel are shown as dots"), std::string::npos);
+  EXPECT_EQ(count(svg, "clipPath id="), 2u);
+  EXPECT_NE(svg.find(">enlarged<"), std::string::npos);
+}
+
+TEST(Picture, AMillionVerticesStaySmall) {
+  RegionSet wiggly;
+  constexpr int n = 1'000'000;
+  for (int k = 0; k < n; ++k) {
+    const double angle = 2 * 3.14159265358979 * k / n,
+                 radius = 1 + 0.3 * std::sin(997 * angle) + 0.1 * std::sin(31013 * angle);
+    wiggly.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  wiggly.contour_ends = {n};
+  wiggly.polygon_ends = {1};
+  Picture picture{wiggly, wiggly, wiggly, "", "", "", ""};
+  const std::string svg = to_svg(picture);
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_LT(svg.size(), largest_picture);
+  EXPECT_EQ(count(svg, "clipPath id="), 2u);
+}
+
+TEST(Picture, ManyLargeContoursAreLeftOutAloud) {
+  RegionSet stack;
+  std::mt19937 random(6);
+  for (int k = 0; k < 300'000; ++k) append(stack, square(random() % 1000, random() % 1000, 100 + random() % 1000));
+  Picture picture;
+  picture.a = stack;
+  const std::string svg = to_svg(picture);
+  EXPECT_LT(svg.size(), largest_picture);
+  EXPECT_NE(svg.find("too many to draw"), std::string::npos);
+}
+
+TEST(Picture, WritesAllOrNothing) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("oblast-picture-" + std::to_string(std::random_device{}()));
+  std::filesystem::create_directory(folder);
+  const std::string path = (folder / "p.svg").string();
+  write_svg(path, Picture{});
+  EXPECT_THROW(write_svg(path, Picture{}), IoError);
+  EXPECT_THROW(check_picture_writable(path), IoError);
+  EXPECT_NO_THROW(write_svg(path, Picture{}, Existing::overwrite));
+  EXPECT_THROW(check_picture_writable((folder / "none/p.svg").string()), IoError);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace oblast::io
