@@ -8,6 +8,7 @@
 #include "generators/hostile.h"
 #include "generators/shrink.h"
 #include "generators/trial.h"
+#include "generators/wkt.h"
 
 namespace oblast::generators {
 namespace {
@@ -77,6 +78,16 @@ TEST(SoupToWkt, writesPolygonsAndHoles) {
   soup.polygon_ends = {2};
   EXPECT_EQ(soup_to_wkt(soup), "MULTIPOLYGON (((0 0, 1 0, 0 0.1, 0 0), (2 2, 3 2, 2 3, 2 2)))");
   EXPECT_EQ(soup_to_wkt(RegionSet{}), "MULTIPOLYGON EMPTY");
+}
+
+TEST(SoupFromWkt, readsWhatWasWritten) {
+  for (const HostileGenerator& generator : hostile_generators()) {
+    const RegionSet soup = generator.make(11, 40).b;
+    EXPECT_EQ(soup_from_wkt(soup_to_wkt(soup)), soup) << generator.name;
+  }
+  EXPECT_EQ(soup_from_wkt("POLYGON((0 0,1 0,0 1,0 0))").points.size(), 3u);
+  EXPECT_THROW(soup_from_wkt("POINT (1 2)"), std::invalid_argument);
+  EXPECT_THROW(soup_from_wkt("POLYGON ((1 2, 3 x"), std::invalid_argument);
 }
 
 }  // namespace

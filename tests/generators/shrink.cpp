@@ -1,7 +1,6 @@
 // Making a failing case small enough to read.
 #include "generators/shrink.h"
 
-#include <charconv>
 #include <vector>
 
 #include "generators/soup.h"
@@ -88,36 +87,10 @@ class Shrinker {
   int budget_;
 };
 
-void append(std::string& text, double value) {
-  char buffer[32];
-  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
 }  // namespace
 
 Operands shrink(Operands operands, const std::function<bool(const Operands&)>& fails, int budget) {
   return Shrinker(to_nested(operands), fails, budget).run();
-}
-
-std::string soup_to_wkt(const RegionView& soup) {
-  if (soup.points.empty()) return "MULTIPOLYGON EMPTY";
-  std::string text = "MULTIPOLYGON (";
-  for (std::size_t p = 0; p < soup.polygon_count(); ++p) {
-    text += p == 0 ? "(" : ", (";
-    for (std::size_t c = soup.polygon_begin(p); c < soup.polygon_end(p); ++c) {
-      text += c == soup.polygon_begin(p) ? "(" : ", (";
-      const auto contour = soup.contour(c);
-      for (std::size_t v = 0; v <= contour.size() && !contour.empty(); ++v) {
-        if (v > 0) text += ", ";
-        append(text, contour[v % contour.size()].x);
-        text += ' ';
-        append(text, contour[v % contour.size()].y);
-      }
-      text += ')';
-    }
-    text += ')';
-  }
-  return text + ")";
 }
 
 }  // namespace oblast::generators

@@ -110,14 +110,14 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
   return std::nullopt;
 }
 
-// Twice the error allowed to an area: every edge may move by a few units in the last place of the largest coordinate.
+// More than all edges together can sweep over when each moves by a few units in the last place of the largest
+// coordinate: an edge is at most about three times as long as that coordinate is large.
 double area_tolerance(const Operands& operands) {
   double largest = 0;
   for (const RegionSet* soup : {&operands.a, &operands.b}) {
     for (const Point& p : soup->points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   const double edges = static_cast<double>(operands.a.points.size() + operands.b.points.size());
-  // Edges are cut into at most `edges` pieces, but moved ones stay as long as before.
   return 0x1p-48 * largest * largest * (edges + 8);
 }
 

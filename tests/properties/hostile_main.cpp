@@ -17,6 +17,7 @@
 #include "generators/random.h"
 #include "generators/shrink.h"
 #include "generators/trial.h"
+#include "generators/wkt.h"
 
 namespace {
 

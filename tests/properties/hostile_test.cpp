@@ -7,15 +7,14 @@
 #include <atomic>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include "generators/random.h"
-#include "generators/shrink.h"
 #include "generators/trial.h"
+#include "generators/wkt.h"
 
 namespace oblast::generators {
 namespace {
-
-constexpr std::uint64_t cases_by_generator = 1500;
 
 class Hostile : public testing::TestWithParam<HostileGenerator> {};
 
@@ -24,14 +23,15 @@ std::string describe(const Operands& operands, const Request& request, std::uint
          to_text(request) + "\nA " + soup_to_wkt(operands.a) + "\nB " + soup_to_wkt(operands.b);
 }
 
-TEST_P(Hostile, casesKeepThePromises) {
+// Runs the cases of seeds 1 to `cases`, of `smallest` to `largest` edges, on all cores.
+void run_cases(const HostileGenerator& generator, std::uint64_t cases, int smallest, int largest) {
   std::atomic<std::uint64_t> next{1};
   std::mutex reporting;
   const auto work = [&] {
     Figures figures;
-    for (std::uint64_t seed; (seed = next++) <= cases_by_generator;) {
+    for (std::uint64_t seed; (seed = next++) <= cases;) {
       const Request request = draw_request(seed);
-      const Operands operands = GetParam().make(seed, Random(seed).between(8, 48));
+      const Operands operands = generator.make(seed, Random(seed).between(smallest, largest));
       if (const auto failure = run_trial(operands, request, figures)) {
         const std::lock_guard lock(reporting);
         ADD_FAILURE() << describe(operands, request, seed, *failure);
@@ -43,6 +43,11 @@ TEST_P(Hostile, casesKeepThePromises) {
   std::vector<std::jthread> workers;
   for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t) workers.emplace_back(work);
 }
+
+TEST_P(Hostile, smallCasesKeepThePromises) { run_cases(GetParam(), 1000, 8, 48); }
+
+// Large enough for the searches to split space, and for many edges to straddle the splits.
+TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 6, 200, 500); }
 
 INSTANTIATE_TEST_SUITE_P(Generators, Hostile,
                          testing::ValuesIn(hostile_generators().begin(), hostile_generators().end()),

@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <ostream>
 
-#include "generators/shrink.h"
 #include "generators/soup.h"
 #include "generators/trial.h"
+#include "generators/wkt.h"
 #include "verify/against.h"
 #include "verify/slabs.h"
 
