@@ -6,7 +6,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <atomic>
 
 #include "exact/orientation.h"
 
@@ -16,6 +15,7 @@ namespace {
 /// A bound with its stops as they were numbered when found.
 struct FoundBound {
   std::uint32_t first, last, chain, start, top;
+  std::uint32_t rank = 0;  ///< among the bounds of its start, in the order they were found
 };
 
 /// A stop with its place, for sorting.
@@ -27,8 +27,11 @@ struct PlacedStop {
 /// Step 1: chains to bounds. Stops of nodes have the nodes' numbers, others follow.
 class Finder {
  public:
-  explicit Finder(const ChainGraph& graph)
-      : graph_(graph), is_stop_(graph.node_count(), 0), stop_count_(static_cast<std::uint32_t>(graph.node_count())) {}
+  Finder(const ChainGraph& graph, std::size_t chain_count)
+      : graph_(graph), is_stop_(graph.node_count(), 0), stop_count_(static_cast<std::uint32_t>(graph.node_count())) {
+    bounds_.reserve(chain_count + chain_count / 4);
+    stops_.reserve(graph.node_count());
+  }
 
   void add(std::uint32_t c) {
     const Chain& chain = graph_.chains[c];
@@ -48,7 +51,7 @@ class Finder {
     add_bound(begin, chain.last, stop, end_stop, c, rightward);
   }
 
-  const std::vector<FoundBound>& bounds() const { return bounds_; }
+  std::vector<FoundBound>& bounds() { return bounds_; }
   std::vector<PlacedStop>& stops() { return stops_; }
   std::uint32_t stop_count() const { return stop_count_; }  ///< those of dead nodes included
 
@@ -94,7 +97,7 @@ std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_o
     stops[i].p = placed[i].p;
     place_of[placed[i].stop] = static_cast<std::uint32_t>(i);
   }
-  for (const FoundBound& b : found.bounds()) ++stops[place_of[b.start] + 1].bounds_begin;
+  for (FoundBound& b : found.bounds()) b.rank = stops[place_of[b.start] + 1].bounds_begin++;
   for (std::size_t i = 1; i < stops.size(); ++i) stops[i].bounds_begin += stops[i - 1].bounds_begin;
   return stops;
 }
@@ -102,7 +105,7 @@ std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_o
 }  // namespace
 
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains) {
-  Finder found(graph);
+  Finder found(graph, chains.size());
   for (const std::uint32_t c : chains) found.add(c);
   std::vector<std::uint32_t> place_of;
   Bounds result;
@@ -110,13 +113,11 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
 
   // Step 3: bounds to their places.
   result.bounds.resize(found.bounds().size());
-  std::vector<std::uint32_t> filled(result.stop_count(), 0);
   using Range = tbb::blocked_range<std::size_t>;
   tbb::parallel_for(Range(0, found.bounds().size(), 4096), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const FoundBound& b = found.bounds()[i];
-      const std::uint32_t start = place_of[b.start];
-      const std::uint32_t at = result.stops[start].bounds_begin + std::atomic_ref(filled[start]).fetch_add(1);
+      const std::uint32_t at = result.stops[place_of[b.start]].bounds_begin + b.rank;
       const Winding change = graph.chains[b.chain].change;
       const bool rightward = b.first < b.last;
       result.bounds[at] = {graph.point(rightward ? b.first + 1 : b.first - 1),

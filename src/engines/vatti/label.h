@@ -14,8 +14,8 @@
 // reordered and every decision is the exact orientation of noded points: that is its closing wish. Ours moves
 // along x and orders lexicographically, so that vertical edges are nothing special. Its passive contours are
 // those without a neighbour in the *other* operand, and are added to the result by the operation's rule;
-// here an operand may overlap itself, so passive are those without any neighbour, and what is added is
-// their label, from which the same rule follows at stage 4: A and B drops them, A or B keeps them.
+// here an operand may overlap itself, so passive are those without any neighbour at all, and what is
+// added is their label, from which the same rule follows at stage 4: A and B drops them, A or B keeps them.
 // Nothing recurses (4.1), and memory is in proportion to the sum of the contour counts (4.2).
 //
 // Cost claimed by the paper: O(n sqrt n), the search for intersections included; with it apart, as here:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "exact/orientation.h"
 
@@ -18,6 +19,30 @@ struct Extent {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  void add(const Extent& e) {
+    add(e.low);
+    add(e.high);
+  }
+  bool is_empty() const { return low.x > high.x; }
+};
+
+/// Which nodes chains connect: union by index, paths halved.
+class Components {
+ public:
+  explicit Components(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t of(std::uint32_t node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void join(std::uint32_t m, std::uint32_t n) {
+    m = of(m);
+    n = of(n);
+    parent_[std::max(m, n)] = std::min(m, n);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
 };
 
 /// Cells of an extent: columns [x0, x1), rows [y0, y1).
@@ -57,8 +82,10 @@ class CountRaster {
     sum_corners();
   }
 
-  std::int64_t sum(const Cells& c) const {
-    return before(c.x1, c.y1) - before(c.x0, c.y1) - before(c.x1, c.y0) + before(c.x0, c.y0);
+  /// No extent but one touches these cells. REQUIRES: summed up; one extent has these cells.
+  bool is_alone(const Cells& c) const {
+    const std::int64_t sum = before(c.x1, c.y1) - before(c.x0, c.y1) - before(c.x1, c.y0) + before(c.x0, c.y0);
+    return static_cast<std::uint64_t>(sum) == c.count();
   }
 
  private:
@@ -98,26 +125,34 @@ bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
 
 std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                                          std::vector<Winding>& right) {
-  std::vector<Extent> extents(chains.size());
+  // Extents by component: a closed chain without nodes has one of its own, numbered behind the nodes.
+  Components components(graph.node_count());
+  for (const std::uint32_t c : chains)
+    if (!graph.chains[c].is_loop()) components.join(graph.chains[c].from, graph.chains[c].to);
+  std::vector<Extent> extents(graph.node_count());
   Extent whole;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    const Chain& chain = graph.chains[chains[i]];
-    for (std::uint32_t v = chain.first; v <= chain.last; ++v) extents[i].add(graph.point(v));
-    whole.add(extents[i].low);
-    whole.add(extents[i].high);
+  for (const std::uint32_t c : chains) {
+    const Chain& chain = graph.chains[c];
+    if (chain.is_loop()) extents.emplace_back();
+    Extent& extent = chain.is_loop() ? extents.back() : extents[components.of(chain.from)];
+    for (std::uint32_t v = chain.first; v <= chain.last; ++v) extent.add(graph.point(v));
+    whole.add(extent);
   }
+
   CountRaster raster(whole, chains.size());
-  for (const Extent& e : extents) raster.add(raster.cells(e));
+  for (const Extent& e : extents)
+    if (!e.is_empty()) raster.add(raster.cells(e));
   raster.sum_up();
 
   std::vector<std::uint32_t> active;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    const Chain& chain = graph.chains[chains[i]];
-    const Cells cells = raster.cells(extents[i]);
-    if (!chain.is_loop() || static_cast<std::uint64_t>(raster.sum(cells)) != cells.count())
-      active.push_back(chains[i]);
+  auto extent_of_loop = extents.begin() + static_cast<std::ptrdiff_t>(graph.node_count());
+  for (const std::uint32_t c : chains) {
+    const Chain& chain = graph.chains[c];
+    const bool passive = chain.is_loop() && raster.is_alone(raster.cells(*extent_of_loop++));
+    if (!passive)
+      active.push_back(c);
     else
-      right[chains[i]] = is_counter_clockwise(graph, chain) ? Winding{} : -chain.change;
+      right[c] = is_counter_clockwise(graph, chain) ? Winding{} : -chain.change;
   }
   return active;
 }
