@@ -21,7 +21,7 @@ TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
        {Words{"union"}, Words{"overlay"}, Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
     Words words = command;
     words.push_back("--help");
-    const Run run = oblast_program(words);
+    const ProgramRun run = oblast_program(words);
     EXPECT_EQ(run.code, 0) << command.front();
     EXPECT_TRUE(contains(run.out, "Example")) << run.out;
     EXPECT_TRUE(contains(run.out, "oblast " + command.front())) << run.out;
@@ -31,7 +31,7 @@ TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
 }
 
 TEST(CommandLine, WithoutCommandShowsHelpAndFails) {
-  const Run run = oblast_program({});
+  const ProgramRun run = oblast_program({});
   EXPECT_EQ(run.code, 2);
   EXPECT_TRUE(contains(run.err, "overlay")) << run.err;
 }
@@ -53,7 +53,7 @@ TEST(CommandLine, FaultsOfTheCallAreExitCodeTwoAndNameTheHelp) {
       {{"generate", "fires", "-o", out, "--month", "august"}, "september"},
   };
   for (const auto& [words, said] : calls) {
-    const Run run = oblast_program(words, two_squares);
+    const ProgramRun run = oblast_program(words, two_squares);
     EXPECT_EQ(run.code, 2) << words.front();
     EXPECT_EQ(run.out, "");
     EXPECT_TRUE(contains(run.err, said)) << run.err;
@@ -68,7 +68,7 @@ TEST(CommandLine, ContradictionsAreExitCodeTwo) {
 }
 
 TEST(Union, OfWktGoesFromStandardInputToStandardOutput) {
-  const Run run = oblast_program({"union", "-", "-o", "-"}, two_squares);
+  const ProgramRun run = oblast_program({"union", "-", "-o", "-"}, two_squares);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2, 0 2, 0 0")) << run.out;
   EXPECT_TRUE(contains(run.err, "1 polygon, 1 contour, 8 vertices")) << run.err;
@@ -76,7 +76,7 @@ TEST(Union, OfWktGoesFromStandardInputToStandardOutput) {
 }
 
 TEST(Union, QuietSaysNothing) {
-  const Run run = oblast_program({"union", "-", "-o", "-", "-q"}, two_squares);
+  const ProgramRun run = oblast_program({"union", "-", "-o", "-", "-q"}, two_squares);
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
 }
@@ -99,7 +99,7 @@ TEST(Union, MinimalDropsCollinearVertices) {
 
 TEST(Union, JsonSaysWhatTheSummarySays) {
   const Folder folder;
-  const Run run =
+  const ProgramRun run =
       oblast_program({"union", "-", "-o", folder.path("u.wkt"), "--json", "--svg", folder.path("u.svg")}, two_squares);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
@@ -134,7 +134,7 @@ TEST(Union, OfItsResultChangesNoByte) {
 TEST(Union, KeepsAnExistingFileUnlessTold) {
   const Folder folder;
   write_file(folder / "old.wkt", "kept");
-  const Run refused = oblast_program({"union", "-", "-o", folder.path("old.wkt")}, two_squares);
+  const ProgramRun refused = oblast_program({"union", "-", "-o", folder.path("old.wkt")}, two_squares);
   EXPECT_EQ(refused.code, 1);
   EXPECT_TRUE(contains(refused.err, "--overwrite")) << refused.err;
   EXPECT_EQ(read_file(folder / "old.wkt"), "kept");
@@ -153,7 +153,7 @@ TEST(Union, FaultyDataIsExitCodeOneAndLeavesNoFile) {
   for (const auto& [words, said] : calls) {
     Words all = words;
     all.insert(all.end(), {"-o", folder.path("out.gpkg"), "--svg", folder.path("out.svg")});
-    const Run run = oblast_program(all, "POLYGON ((0 0, nan 1, 1 1, 0 0))");
+    const ProgramRun run = oblast_program(all, "POLYGON ((0 0, nan 1, 1 1, 0 0))");
     EXPECT_EQ(run.code, 1);
     EXPECT_TRUE(contains(run.err, said)) << run.err;
   }
@@ -171,7 +171,7 @@ TEST(Union, UnwritableOutputIsToldBeforeTheWork) {
 }
 
 TEST(Union, ErrorsComeAsJsonToo) {
-  const Run run = oblast_program({"union", "no-such-file.gpkg", "-o", "x.wkt", "--json"});
+  const ProgramRun run = oblast_program({"union", "no-such-file.gpkg", "-o", "x.wkt", "--json"});
   EXPECT_EQ(run.code, 1);
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json["exit_code"], 1);
@@ -183,7 +183,7 @@ TEST(Union, StrictRefusesLines) {
   write_file(folder / "mixed.geojson", R"({"type":"FeatureCollection","features":[
     {"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[0,0],[1,1]]}},
     {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}}]})");
-  const Run lenient = oblast_program({"union", folder.path("mixed.geojson"), "-o", "-"});
+  const ProgramRun lenient = oblast_program({"union", folder.path("mixed.geojson"), "-o", "-"});
   EXPECT_EQ(lenient.code, 0) << lenient.err;
   EXPECT_TRUE(contains(lenient.err, "1 line feature passed over")) << lenient.err;
   EXPECT_EQ(oblast_program({"union", folder.path("mixed.geojson"), "-o", "-", "--strict"}).code, 1);
@@ -197,8 +197,8 @@ TEST(Overlay, OperationsFollowTheirNames) {
       {"intersection", 1}, {"union", 7}, {"difference", 3}, {"symdifference", 6}};
   for (const auto& [operation, area] : areas) {
     for (const char* engine : {"leonov-nikitin", "vatti", "skvortsov"}) {
-      const Run run = oblast_program({"overlay", operation, folder.path("a.wkt"), folder.path("b.wkt"), "-o",
-                                      folder.path("r.wkt"), "--overwrite", "--json", "--engine", engine});
+      const ProgramRun run = oblast_program({"overlay", operation, folder.path("a.wkt"), folder.path("b.wkt"), "-o",
+                                             folder.path("r.wkt"), "--overwrite", "--json", "--engine", engine});
       ASSERT_EQ(run.code, 0) << run.err;
       EXPECT_EQ(Json::parse(run.out)["result"]["area"], area) << operation;
     }
@@ -214,7 +214,7 @@ TEST(Overlay, TwoCoordinateSystemsAreAnError) {
       folder / "b.geojson",
       R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::3857"}},)" +
           square);
-  const Run run = oblast_program(
+  const ProgramRun run = oblast_program(
       {"overlay", "union", folder.path("a.geojson"), folder.path("b.geojson"), "-o", folder.path("o.gpkg")});
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.err, "two coordinate systems")) << run.err;
@@ -225,18 +225,19 @@ TEST(Overlay, SecondFillRuleIsForTheSecondOperand) {
   const Folder folder;
   write_file(folder / "a.wkt", two_squares);
   write_file(folder / "b.wkt", two_squares);
-  const Run run = oblast_program({"overlay", "difference", folder.path("a.wkt"), folder.path("b.wkt"), "-o",
-                                  folder.path("o.wkt"), "--fill-b", "atleast:2", "--fill", "polygons", "--json"});
+  const ProgramRun run =
+      oblast_program({"overlay", "difference", folder.path("a.wkt"), folder.path("b.wkt"), "-o", folder.path("o.wkt"),
+                      "--fill-b", "atleast:2", "--fill", "polygons", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["result"]["area"], 6.0);
 }
 
 TEST(Check, NamesTheFirstFaultAndItsPlace) {
-  const Run crossing = oblast_program({"check", "-"}, "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
+  const ProgramRun crossing = oblast_program({"check", "-"}, "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
   EXPECT_EQ(crossing.code, 1);
   EXPECT_TRUE(contains(crossing.out, "not closed")) << crossing.out;
   EXPECT_TRUE(contains(crossing.out, "vertex")) << crossing.out;
-  const Run good = oblast_program({"check", "-"}, std::string(their_union));
+  const ProgramRun good = oblast_program({"check", "-"}, std::string(their_union));
   EXPECT_EQ(good.code, 0) << good.out;
   EXPECT_TRUE(contains(good.out, "1 polygon, 1 contour, 8 vertices")) << good.out;
 }
@@ -244,7 +245,7 @@ TEST(Check, NamesTheFirstFaultAndItsPlace) {
 TEST(Check, OrderCountsOnlyWhenAskedFor) {
   const std::string rotated = "POLYGON ((2 0, 2 2, 0 2, 0 0, 2 0))";
   EXPECT_EQ(oblast_program({"check", "-"}, rotated).code, 0);
-  const Run run = oblast_program({"check", "-", "--canonical", "--json"}, rotated);
+  const ProgramRun run = oblast_program({"check", "-", "--canonical", "--json"}, rotated);
   EXPECT_EQ(run.code, 1);
   const Json json = Json::parse(run.out);
   EXPECT_EQ(json["closed"], true);
@@ -257,7 +258,7 @@ TEST(Interrupt, LeavesTheOldOutputAlone) {
   write_file(folder / "old.wkt", "kept");
   std::string much;
   while (much.size() < 300'000) much += two_squares;  // more than a pipe holds: the program is reading
-  const Run run = interrupted_program({"union", "-", "-o", folder.path("old.wkt"), "--overwrite"}, much);
+  const ProgramRun run = interrupted_program({"union", "-", "-o", folder.path("old.wkt"), "--overwrite"}, much);
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_TRUE(contains(run.err, "interrupted")) << run.err;
   EXPECT_EQ(read_file(folder / "old.wkt"), "kept");

@@ -72,12 +72,12 @@ TEST(CorpusCommand, CountsExcusesAndFilters) {
   write_file(folder / "cases.jsonl", line("union", square, shifted, 7) + "\n" + line("difference", square, shifted, 2) +
                                          "\n" + line("xor", square, shifted, 5) + "\n");
   write_file(folder / "excused.txt", "# why\ns/xor\tthe source counts otherwise\n");
-  const Run run = oblast_program({"corpus", folder.path(""), "--excuse", folder.path("excused.txt")});
+  const ProgramRun run = oblast_program({"corpus", folder.path(""), "--excuse", folder.path("excused.txt")});
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("\n1 passed, 1 failed\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("failed   s/difference"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("excused  s/xor: the source counts otherwise"), std::string::npos) << run.out;
-  const Run filtered = oblast_program({"corpus", folder.path(""), "--filter", "s/union"});
+  const ProgramRun filtered = oblast_program({"corpus", folder.path(""), "--filter", "s/union"});
   EXPECT_EQ(filtered.code, 0);
   EXPECT_EQ(filtered.out, "1 passed, 0 failed\n");
   const auto json = nlohmann::json::parse(oblast_program({"corpus", folder.path(""), "--json"}).out);
@@ -89,7 +89,7 @@ TEST(CorpusCommand, CountsExcusesAndFilters) {
 TEST(CorpusCommand, UnreadableLinesFail) {
   const Folder folder;
   write_file(folder / "cases.jsonl", "{\"id\": \"x\"}\n");
-  const Run run = oblast_program({"corpus", folder.path("")});
+  const ProgramRun run = oblast_program({"corpus", folder.path("")});
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.out.find("0 passed, 1 failed"), std::string::npos) << run.out;
   EXPECT_EQ(oblast_program({"corpus", folder.path("none")}).code, 1);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "apps/program_run.h"
@@ -139,7 +140,7 @@ TEST(FiresLattice, GapsAreFilled) {
 
 TEST(FiresCommand, WritesShapefilesThatReadBack) {
   const Folder folder;
-  const Run run = oblast_program(
+  const ProgramRun run = oblast_program(
       {"generate", "fires", "--month", "april", "--scale", "0.02", "-o", folder.path("fires"), "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -152,7 +153,7 @@ TEST(FiresCommand, WritesShapefilesThatReadBack) {
   }
   EXPECT_EQ(shapes.size(), 9u);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"fires"});
-  const Run united = oblast_program({"union", folder.path("fires"), "-o", folder.path("burnt.gpkg"), "--json"});
+  const ProgramRun united = oblast_program({"union", folder.path("fires"), "-o", folder.path("burnt.gpkg"), "--json"});
   ASSERT_EQ(united.code, 0) << united.err;
   const auto summary = nlohmann::json::parse(united.out);
   EXPECT_EQ(summary["operands"][0]["files"], 9);

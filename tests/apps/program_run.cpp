@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // The child's output goes to files: nothing can block, whatever it says.
-Run start(const std::vector<std::string>& arguments, const std::string& input, bool interrupt) {
+ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, bool interrupt) {
   std::signal(SIGPIPE, SIG_IGN);
   const Folder folder;
   int feed[2];
@@ -74,11 +74,11 @@ std::vector<std::string> Folder::names() const {
   return result;
 }
 
-Run oblast_program(const std::vector<std::string>& arguments, const std::string& input) {
+ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input) {
   return start(arguments, input, false);
 }
 
-Run interrupted_program(const std::vector<std::string>& arguments, const std::string& input) {
+ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input) {
   return start(arguments, input, true);
 }
 

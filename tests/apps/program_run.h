@@ -7,7 +7,7 @@
 
 namespace oblast::test {
 
-struct Run {
+struct ProgramRun {
   int code = -1;  ///< exit code; -1 when a signal ended it
   std::string out;
   std::string err;
@@ -31,10 +31,10 @@ class Folder {
 };
 
 /// Runs `oblast ARGUMENTS` with `input` on its standard input.
-Run oblast_program(const std::vector<std::string>& arguments, const std::string& input = {});
+ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input = {});
 
 /// Feeds `input` without ending it, and when the program has read most of it, sends SIGINT.
-Run interrupted_program(const std::vector<std::string>& arguments, const std::string& input);
+ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input);
 
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);

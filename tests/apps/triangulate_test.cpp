@@ -34,7 +34,7 @@ std::vector<double> areas(const std::string& text) {
 TEST(TriangulateCommand, writesTrianglesWithTheirPolygon) {
   const Folder folder;
   const std::string output = folder.path("t.geojson");
-  const Run run = oblast_program({"triangulate", "-", "-o", output, "--json"}, square_with_hole);
+  const ProgramRun run = oblast_program({"triangulate", "-", "-o", output, "--json"}, square_with_hole);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(areas(read_file(output)), (std::vector<double>{0, 81 - 25, 4}));
   const auto summary = nlohmann::json::parse(run.out);
@@ -52,7 +52,7 @@ TEST(TriangulateCommand, goesUpToTheHullWhenAsked) {
 
 TEST(TriangulateCommand, refusesBadDataAndLeavesNothing) {
   const Folder folder;
-  const Run run =
+  const ProgramRun run =
       oblast_program({"triangulate", "-", "-o", folder.path("t.geojson")}, "POLYGON ((0 0, 1 0, nan 1, 0 0))");
   EXPECT_EQ(run.code, 1);
   EXPECT_FALSE(run.err.empty());

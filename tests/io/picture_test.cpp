@@ -109,7 +109,8 @@ TEST(Picture, LongitudesAreSqueezedByTheLatitude) {
 TEST(Picture, SpecksAreGatheredSaidAndEnlarged) {
   RegionSet specks;
   std::mt19937 random(5);
-  for (int k = 0; k < 200'000; ++k) append(specks, square(random() % 1'000'000, random() % 500'000, 20));
+  for (int k = 0; k < 200'000; ++k)
+    append(specks, square(static_cast<double>(random() % 1'000'000), static_cast<double>(random() % 500'000), 20));
   for (int k = 0; k < 50; ++k) append(specks, square(700'000 + 15 * (k % 10), 300'000 + 15 * (k / 10), 20));
   Picture picture;
   picture.a = specks;
@@ -142,7 +143,9 @@ TEST(Picture, AMillionVerticesStaySmall) {
 TEST(Picture, ManyLargeContoursAreLeftOutAloud) {
   RegionSet stack;
   std::mt19937 random(6);
-  for (int k = 0; k < 300'000; ++k) append(stack, square(random() % 1000, random() % 1000, 100 + random() % 1000));
+  for (int k = 0; k < 300'000; ++k)
+    append(stack, square(static_cast<double>(random() % 1000), static_cast<double>(random() % 1000),
+                         100 + static_cast<double>(random() % 1000)));
   Picture picture;
   picture.a = stack;
   const std::string svg = to_svg(picture);

@@ -32,7 +32,7 @@ class FullDisk {
   void (*old_handler_)(int) = nullptr;
 };
 
-const WriteOptions overwrite{Existing::overwrite, {}};
+const WriteOptions overwrite{Existing::overwrite, {}, {}};
 
 class Writing : public FolderTest, public ::testing::WithParamInterface<const char*> {
  protected:
