@@ -17,7 +17,7 @@ struct WriteOptions {
   Existing existing = Existing::refuse;
   std::string crs_wkt;  ///< written into the file where its format holds one
   /// The attribute `polygon` of each feature, by polygon (WKT has none); empty: 0, 1, 2, ...
-  std::span<const std::int32_t> polygon_numbers;
+  std::span<const std::int32_t> polygon_numbers = {};
 };
 
 /// Throws IoError when `path` cannot be written: unknown format, missing folder, existing file.
