@@ -47,7 +47,7 @@ void run_cases(const HostileGenerator& generator, std::uint64_t cases, int small
 TEST_P(Hostile, smallCasesKeepThePromises) { run_cases(GetParam(), 1000, 8, 48); }
 
 // Large enough for the searches to split space, and for many edges to straddle the splits.
-TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 6, 200, 500); }
+TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 4, GetParam().larger / 2, GetParam().larger); }
 
 INSTANTIATE_TEST_SUITE_P(Generators, Hostile,
                          testing::ValuesIn(hostile_generators().begin(), hostile_generators().end()),
