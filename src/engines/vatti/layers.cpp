@@ -4,6 +4,9 @@
 // when the raster under its box is free. Putting each contour at once into the first layer that takes it
 // gives the same layers in one walk. The raster (raster_pyramid.h) then names the earlier contours whose
 // boxes overlap; of those, one in each layer has to be compared until it is found taken.
+//
+// Measured: the fires of the paper's Table 3 (190,915 contours) in 1 s, by boxes alone in 0.35 s; a million random
+// squares in 3.5 s, a tenth of them in 0.2 s (in random order nearly every cell looked at is out of cache).
 #include <oblast/layers.h>
 
 #include <algorithm>

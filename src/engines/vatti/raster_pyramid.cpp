@@ -54,13 +54,11 @@ void RasterPyramid::insert(const Box& box) {
   for (std::uint32_t l = 1; l <= level; ++l) {
     const std::uint32_t shift = levels_ - l;
     const std::uint32_t quarter = (row >> shift & 1) << 1 | (column >> shift & 1);
-    std::uint32_t child = cells_[cell].children[quarter];
-    if (child == nothing) {
-      child = static_cast<std::uint32_t>(cells_.size());
-      cells_[cell].children[quarter] = child;
-      cells_.push_back(Cell{.box = no_box});
+    if (cells_[cell].children == nothing) {
+      cells_[cell].children = static_cast<std::uint32_t>(cells_.size());
+      cells_.resize(cells_.size() + 4, Cell{.box = no_box});
     }
-    cell = child;
+    cell = cells_[cell].children + quarter;
     extend(cells_[cell].box, box);
   }
   boxes_.push_back(box);

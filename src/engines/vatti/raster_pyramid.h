@@ -40,8 +40,8 @@ class RasterPyramid {
       if (!overlap(cell.box, box)) continue;
       for (std::uint32_t b = cell.first_box; b != nothing; b = next_box_[b])
         if (overlap(boxes_[b], box)) visit(b);
-      for (const std::uint32_t child : cell.children)
-        if (child != nothing) pending_.push_back(child);
+      if (cell.children == nothing) continue;
+      for (std::uint32_t quarter = 0; quarter < 4; ++quarter) pending_.push_back(cell.children + quarter);
     }
   }
 
@@ -51,7 +51,7 @@ class RasterPyramid {
   struct Cell {
     Box box;  ///< of all boxes in it and in the cells below it
     std::uint32_t first_box = nothing;
-    std::uint32_t children[4] = {nothing, nothing, nothing, nothing};
+    std::uint32_t children = nothing;  ///< the first of its four quarters, which lie side by side
   };
 
   std::uint32_t level_of(const Box& box) const;
