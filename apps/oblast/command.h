@@ -30,5 +30,8 @@ void add_check(CLI::App& program, Invocation& invocation);
 void add_triangulate(CLI::App& program, Invocation& invocation);
 void add_corpus(CLI::App& program, Invocation& invocation);
 void add_generate(CLI::App& program, Invocation& invocation);
+void add_classic(CLI::App& program, Invocation& invocation);
+void add_compare(CLI::App& program, Invocation& invocation);
+void add_hull(CLI::App& program, Invocation& invocation);
 
 }  // namespace oblast::app

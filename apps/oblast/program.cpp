@@ -82,6 +82,9 @@ int run_program(int argc, char** argv) {
   add_triangulate(program, invocation);
   add_generate(program, invocation);
   add_corpus(program, invocation);
+  add_classic(program, invocation);
+  add_compare(program, invocation);
+  add_hull(program, invocation);
 
   if (argc <= 1) {
     fmt::print(stderr, "{}", program.help());

@@ -86,14 +86,15 @@ class ClearanceTest {
     return (v == first && w == last) || (v == last && w == first);
   }
 
-  /// Computed in floating point: off by some 2^-50 of the largest coordinate, which the gap allows for.
+  /// Computed in floating point: off by some 2^-50 of the largest coordinate, which the gap allows for. Nothing
+  /// overflows: coordinates are below 2^301, so these products stay below 2^605.
   bool is_far(const Point& p, const Point& a, const Point& b) const {
-    const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-    const double length = std::hypot(dx, dy);
-    if (!(length > gap_)) return std::hypot(px, py) > 4 * gap_;
-    const double ux = dx / length, uy = dy / length;
-    const double along = std::clamp(px * ux + py * uy, 0.0, length);
-    return std::hypot(px - along * ux, py - along * uy) > gap_;
+    const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, qx = p.x - b.x, qy = p.y - b.y;
+    const double square = dx * dx + dy * dy;
+    if (square <= gap_ * gap_) return px * px + py * py > 16 * (gap_ * gap_);
+    if (px * dx + py * dy <= 0) return px * px + py * py > gap_ * gap_;
+    if (qx * dx + qy * dy >= 0) return qx * qx + qy * qy > gap_ * gap_;
+    return std::fabs(dx * py - dy * px) > gap_ * std::sqrt(square);
   }
 
   const Strands& strands_;

@@ -146,6 +146,7 @@ Request draw_request(std::uint64_t seed) {
   request.collinear = random.one_in(6) ? CollinearVertices::drop : CollinearVertices::keep;
   request.seed = random.next();
   request.other_threads = random.one_in(16);
+  request.other_engines = random.one_in(4);
   return request;
 }
 

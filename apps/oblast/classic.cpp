@@ -1,0 +1,131 @@
+// `oblast classic`: one of the classic methods, refused outside its domain.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "io/picture.h"
+#include "io/write.h"
+#include "oblast/command.h"
+#include "oblast/console.h"
+#include "oblast/methods.h"
+#include "oblast/names.h"
+
+namespace oblast::app {
+
+namespace {
+
+constexpr const char* footer = R"(
+METHOD    admits
+  orourke             convex with convex: one contour each
+  sutherland-hodgman  A any polygon, B one convex contour; intersection only
+  weiler-atherton     contours that meet themselves and each other at vertices only,
+                      the interior on the same side of all; holes allowed
+  margalit-knott      one contour each, edges disjoint, meeting at ends, or coincident
+What a method does not admit is an error that names the vertex and another method.
+Inside its domain each gives the same bytes as `oblast overlay`.
+
+Example
+  oblast classic sutherland-hodgman intersection land.gpkg window.wkt -o clip.gpkg)";
+
+struct Arguments {
+  ClassicMethod method = ClassicMethod::orourke;
+  std::string word;
+  Operation operation = Operation::intersection;
+  std::string a, b, output, picture;
+  bool overwrite = false, quiet = false;
+};
+
+void report(const Arguments& arguments, const RegionSet& result, const ClassicReport& done, double seconds, bool json) {
+  if (json) {
+    const nlohmann::ordered_json object{{"command", "classic"},
+                                        {"method", arguments.word},
+                                        {"operation", name(arguments.operation)},
+                                        {"output", arguments.output},
+                                        {"polygons", result.polygon_ends.size()},
+                                        {"contours", result.contour_ends.size()},
+                                        {"vertices", result.points.size()},
+                                        {"area", signed_area(result)},
+                                        {"meetings", done.meetings},
+                                        {"handed_over", done.handed_over},
+                                        {"seconds", seconds}};
+    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (!arguments.quiet) {
+    fmt::print(stderr, "{} {}: {}, {}, area {:.10g}, {} meetings, {:.6f} s{}\n", arguments.word,
+               name(arguments.operation), counted(result.contour_ends.size(), "contour"),
+               counted(result.points.size(), "vertex"), signed_area(result), grouped(done.meetings), seconds,
+               done.handed_over ? " (edges too near each other for it: settled by the library's noding)" : "");
+  }
+}
+
+int run(const Arguments& arguments, bool json) {
+  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be read only once");
+  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  io::WriteOptions options;
+  options.existing = existing;
+  io::check_writable(arguments.output, options);
+  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
+  const OperandPair pair = read_pair(arguments.a, arguments.b);
+  ClassicReport done;
+  RegionSet result;
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    result = classic(arguments.method, pair.a.regions, pair.b.regions, arguments.operation, &done);
+  } catch (const Error& error) {
+    throw io::IoError(describe(pair, error));
+  }
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+  options.crs_wkt = pair.crs_wkt();
+  io::write(arguments.output, result, options);
+  if (!arguments.picture.empty()) {
+    io::Picture picture;
+    picture.a = pair.a.regions;
+    picture.b = pair.b.regions;
+    picture.result = result;
+    picture.title = fmt::format("{} by {}", name(arguments.operation), arguments.word);
+    if (pair.crs_wkt().rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
+    io::write_svg(arguments.picture, picture, existing);
+  }
+  report(arguments, result, done, spent.count(), json);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_classic(CLI::App& program, Invocation& invocation) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("classic", "Overlay by one of the classic methods, in its domain.");
+  command->footer(footer);
+  command
+      ->add_option_function<std::string>(
+          "METHOD",
+          [a](const std::string& word) {
+            a->method = parse_classic(word);
+            a->word = word;
+          },
+          "orourke, sutherland-hodgman, weiler-atherton or margalit-knott")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option_function<std::string>(
+          "OP", [a](const std::string& word) { a->operation = parse_operation(word); },
+          "intersection, union or difference")
+      ->required()
+      ->type_name("");
+  command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("B", a->b, "likewise")->required()->type_name("");
+  command->add_option("-o,--output", a->output, "where the result goes; `-`: WKT on standard output")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
+  command->add_flag("--overwrite", a->overwrite, "replace existing files");
+  command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
+  command->add_flag("-q,--quiet", a->quiet, "no summary");
+  command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
+}
+
+}  // namespace oblast::app

@@ -1,0 +1,79 @@
+// `oblast compare`: every method side by side on one pair of operands.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "io/picture.h"
+#include "io/staged_output.h"
+#include "io/write_text.h"
+#include "oblast/command.h"
+#include "oblast/comparison.h"
+#include "oblast/names.h"
+
+namespace oblast::app {
+
+namespace {
+
+constexpr const char* footer = R"(
+The three engines and the four classic methods, with what Skvortsov's Table 1 states of
+each and what is measured here: whether it admits this input or why not, the time of
+the quickest of a few runs, and whether its result has the same bytes as the default
+engine's. Exit code 1 when any admitted method's bytes differ.
+
+Example
+  oblast compare districts.gpkg window.wkt --op intersection --svg compare.svg)";
+
+struct Arguments {
+  std::string a, b, picture;
+  Operation operation = Operation::intersection;
+  bool overwrite = false;
+};
+
+int run(const Arguments& arguments, bool json) {
+  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be read only once");
+  const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
+  const OperandPair pair = read_pair(arguments.a, arguments.b);
+  const std::vector<Row> rows = compare_methods(pair, arguments.operation);
+  if (!arguments.picture.empty()) {
+    io::StagedOutput output(arguments.picture, {});
+    io::write_text(output.path(), draw(rows, pair, arguments.operation), arguments.picture);
+    output.commit();
+  }
+  if (json) {
+    const nlohmann::ordered_json object{{"command", "compare"},
+                                        {"operation", name(arguments.operation)},
+                                        {"vertices_a", pair.a.regions.points.size()},
+                                        {"vertices_b", pair.b.regions.points.size()},
+                                        {"methods", to_json(rows)}};
+    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", to_text(rows));
+  }
+  for (const Row& row : rows)
+    if (row.admitted && !row.same_bytes) return exit_data;
+  return exit_done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Invocation& invocation) {
+  const auto a = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("compare", "Every method side by side on one pair of operands.");
+  command->footer(footer);
+  command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
+      ->required()
+      ->type_name("");
+  command->add_option("B", a->b, "likewise")->required()->type_name("");
+  command
+      ->add_option_function<std::string>(
+          "--op", [a](const std::string& word) { a->operation = parse_operation(word); },
+          "intersection (default), union, difference or symdifference")
+      ->type_name("OP");
+  command->add_option("--svg", a->picture, "draw one panel a method")->type_name("PICTURE.svg");
+  command->add_flag("--overwrite", a->overwrite, "replace an existing picture");
+  command->add_flag("--json", invocation.json, "one object on standard output instead of the table");
+  command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
+}
+
+}  // namespace oblast::app

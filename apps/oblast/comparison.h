@@ -1,0 +1,33 @@
+// The comparison of methods on one pair of operands: Table 1 with measured columns.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "oblast/methods.h"
+
+namespace oblast::app {
+
+struct Row {
+  const Method* method = nullptr;
+  bool admitted = false;
+  std::string why_not;
+  RegionSet result;
+  double seconds = 0;        ///< of the quickest of a few runs
+  bool same_bytes = false;   ///< as the default engine
+  bool handed_over = false;  ///< classics: to the settled noding
+};
+
+/// Every method, the default engine first.
+std::vector<Row> compare_methods(const OperandPair& pair, Operation operation);
+
+std::string to_text(const std::vector<Row>& rows);
+nlohmann::ordered_json to_json(const std::vector<Row>& rows);
+
+/// A panel a method. Throws IoError.
+std::string draw(const std::vector<Row>& rows, const OperandPair& pair, Operation operation);
+
+}  // namespace oblast::app
