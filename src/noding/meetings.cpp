@@ -1,12 +1,14 @@
 #include "noding/meetings.h"
 
 #include <oblast/domain.h>
+#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_sort.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
@@ -62,12 +64,13 @@ class MeetingTest {
   /// Every edge of one run against every edge of the other whose boxes meet.
   void test_runs(const RunPair& pair) {
     const auto& points = strands_.points;
+    const auto box_of = [&](std::uint32_t edge) { return Box::of(points[edge], points[edge + 1]); };
     const Box q_box = Box::of(points[pair.first_q], points[pair.last_q]);
     for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
-      const Box box = Box::of(points[i], points[i + 1]);
+      const Box box = box_of(i);
       if (!box.meets(q_box)) continue;
       for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j)
-        if (box.meets(Box::of(points[j], points[j + 1]))) test_edges(i, j);
+        if (box.meets(box_of(j))) test_edges(i, j);
     }
   }
 
@@ -77,7 +80,12 @@ class MeetingTest {
   //        c
   void test_edges(std::uint32_t i, std::uint32_t j) {
     const auto& points = strands_.points;
-    const Point a = points[i], b = points[i + 1], c = points[j], d = points[j + 1];
+    const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+    // From the second round on nearly all pairs are edges that meet at a node.
+    if (a == c || a == d || b == c || b == d) {
+      test_edges_with_common_end(i, j);
+      return;
+    }
     const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
     if (c_side * d_side > 0) return;
     if (c_side != 0 && d_side != 0) {
@@ -97,8 +105,26 @@ class MeetingTest {
     if (c_side == 0 && d_side == 0) {
       vertex_on_edge(i, a, j);
       vertex_on_edge(i + 1, b, j);
-      mark_fold(i + 1, b, a, j, c, d);
-      mark_fold(i, a, b, j + 1, d, c);
+    }
+  }
+
+  /// The edges meet at the common end, and elsewhere only if they overlap.
+  void test_edges_with_common_end(std::uint32_t i, std::uint32_t j) {
+    const auto& points = strands_.points;
+    for (const std::uint32_t p : {i, i + 1}) {
+      for (const std::uint32_t q : {j, j + 1}) {
+        if (points[p] != points[q]) continue;
+        if (!same_vertex(p, q)) {
+          mark(p);
+          mark(q);
+        }
+        // The ends that are not common.
+        const std::uint32_t u = i + i + 1 - p, v = j + j + 1 - q;
+        if (orientation(points[p], points[u], points[v]) != 0) return;
+        vertex_on_edge(u, points[u], j);
+        vertex_on_edge(v, points[v], i);
+        mark_fold(p, points[p], points[u], q, points[q], points[v]);
+      }
     }
   }
 
@@ -191,58 +217,76 @@ class MeetingTest {
   std::vector<EdgeCut>& cuts_;
 };
 
-/// Drops cuts at which an edge would turn back in x or y, as it might where cuts are at vertices beside it. What they
-/// were to settle is left to the next round. So the pieces' boxes always shrink. Looked at from the
-/// smaller end, whichever way the edge runs. REQUIRES: sorted along the edges.
-void keep_monotone(const std::vector<Point>& points, std::vector<EdgeCut>& cuts) {
-  std::size_t kept = 0;
-  for (std::size_t begin = 0, end; begin < cuts.size(); begin = end) {
-    const std::uint32_t edge = cuts[begin].edge;
-    for (end = begin; end < cuts.size() && cuts[end].edge == edge;) ++end;
-    const bool rightward = lexicographically_less(points[edge], points[edge + 1]);
-    const Point& last = points[rightward ? edge + 1 : edge];
-    Point from = points[rightward ? edge : edge + 1];
-    for (std::size_t k = 0; k < end - begin; ++k) {
-      EdgeCut& cut = cuts[rightward ? begin + k : end - 1 - k];
-      if (!in_box(cut.at, from, last))
-        cut.edge = no_vertex;
-      else
-        from = cut.at;
-    }
-    for (std::size_t k = begin; k < end; ++k)
-      if (cuts[k].edge != no_vertex) cuts[kept++] = cuts[k];
+/// Sorts the cuts of one edge along it, from a = points[edge] on, and drops repeated ones. Rounding is monotone, so the
+/// order along the edge is the order of x, and of y where x is the same, each in the edge's own direction.
+EdgeCut* sort_along(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
+  const bool rightward = a.x < b.x, upward = a.y < b.y;
+  std::sort(begin, end, [&](const EdgeCut& p, const EdgeCut& q) {
+    if (p.at.x != q.at.x) return (p.at.x < q.at.x) == rightward;
+    if (p.at.y != q.at.y) return (p.at.y < q.at.y) == upward;
+    return false;
+  });
+  return std::unique(begin, end, [](const EdgeCut& p, const EdgeCut& q) { return p.at == q.at; });
+}
+
+/// Drops cuts at which the edge from a to b would turn back in x or y, as it might where cuts are at vertices beside
+/// it. What they were to settle is left to the next round. So the pieces' boxes always shrink. Looked at from the
+/// smaller end, whichever way the edge runs. REQUIRES: sorted along the edge.
+EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
+  const bool rightward = lexicographically_less(a, b);
+  if (!rightward) std::reverse(begin, end);
+  const Point& last = rightward ? b : a;
+  Point from = rightward ? a : b;
+  EdgeCut* kept = begin;
+  for (EdgeCut* cut = begin; cut != end; ++cut) {
+    if (!in_box(cut->at, from, last)) continue;
+    from = cut->at;
+    *kept++ = *cut;
   }
-  cuts.resize(kept);
+  if (!rightward) std::reverse(begin, kept);
+  return kept;
+}
+
+using CutLists = tbb::enumerable_thread_specific<std::vector<EdgeCut>>;
+
+/// All cuts in the order of the edges and along them, each once.
+std::vector<EdgeCut> arrange(const std::vector<Point>& points, const CutLists& found, Settling settling) {
+  std::vector<std::uint32_t> ends(points.size() + 1, 0);  // by edge: of its cuts in `cuts`
+  for (const auto& part : found)
+    for (const EdgeCut& cut : part) ++ends[cut.edge + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<EdgeCut> cuts(ends.back());
+  // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
+  for (const auto& part : found)
+    for (const EdgeCut& cut : part) cuts[ends[cut.edge]++] = cut;
+
+  constexpr std::size_t edges_a_task = 16384;
+  const tbb::blocked_range<std::size_t> all(0, points.size(), edges_a_task);
+  tbb::parallel_for(all, [&](const auto& range) {
+    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+      EdgeCut *begin = cuts.data() + (e == 0 ? 0 : ends[e - 1]), *end = cuts.data() + ends[e];
+      if (begin == end) continue;
+      EdgeCut* kept = sort_along(points[e], points[e + 1], begin, end);
+      if (settling.tolerance > 0) kept = keep_monotone(points[e], points[e + 1], begin, kept);
+      for (; kept != end; ++kept) kept->edge = no_vertex;
+    }
+  });
+  std::erase_if(cuts, [](const EdgeCut& cut) { return cut.edge == no_vertex; });
+  return cuts;
 }
 
 }  // namespace
 
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint) {
-  tbb::enumerable_thread_specific<std::vector<EdgeCut>> found;
+  CutLists found;
   find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
     MeetingTest test(strands, settling, found.local());
     for (const RunPair& pair : pairs) test.test_runs(pair);
   });
-
-  std::vector<EdgeCut> cuts;
-  for (const auto& part : found) cuts.insert(cuts.end(), part.begin(), part.end());
-  // Rounding is monotone, so the order along the edge is the order of x, and of y where x is the same,
-  // each in the edge's own direction.
-  const auto before = [&](const EdgeCut& p, const EdgeCut& q) {
-    if (p.edge != q.edge) return p.edge < q.edge;
-    const Point &a = strands.points[p.edge], &b = strands.points[p.edge + 1];
-    if (p.at.x != q.at.x) return (p.at.x < q.at.x) == (a.x < b.x);
-    if (p.at.y != q.at.y) return (p.at.y < q.at.y) == (a.y < b.y);
-    return false;
-  };
-  tbb::parallel_sort(cuts.begin(), cuts.end(), before);
-  cuts.erase(std::unique(cuts.begin(), cuts.end(),
-                         [](const EdgeCut& p, const EdgeCut& q) { return p.edge == q.edge && p.at == q.at; }),
-             cuts.end());
-  if (settling.tolerance > 0) keep_monotone(strands.points, cuts);
-  return cuts;
+  if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.empty(); })) return {};
+  return arrange(strands.points, found, settling);
 }
 
 }  // namespace oblast::noding

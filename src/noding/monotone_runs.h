@@ -18,7 +18,11 @@ struct Box {
   static Box of(const Point& p, const Point& q) {
     return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
   }
-  bool meets(const Box& o) const { return x0 <= o.x1 && o.x0 <= x1 && y0 <= o.y1 && o.y0 <= y1; }
+  /// Without a branch: the outcome is hard to foresee.
+  bool meets(const Box& o) const {
+    return static_cast<bool>(static_cast<int>(x0 <= o.x1) & static_cast<int>(o.x0 <= x1) &
+                             static_cast<int>(y0 <= o.y1) & static_cast<int>(o.y0 <= y1));
+  }
 };
 
 struct Run {

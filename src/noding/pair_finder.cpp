@@ -11,11 +11,14 @@
 namespace oblast::noding {
 namespace {
 
-constexpr std::size_t leaf_size = 32;
+// A sweep over so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
+// cut further.
+constexpr std::size_t leaf_size = 512;
+constexpr std::size_t clipped_leaf_size = 32;
 constexpr std::size_t batch_size = 1024;
 constexpr std::size_t parallel_size = 20000;
 // Cells below this size, or with a cut better than this growth, are content with boxes.
-constexpr std::size_t bundle_size = 256;
+constexpr std::size_t bundle_size = 512;
 constexpr double box_growth = 1.3;
 // A cut that copies more than this is no progress: everything meets nearly everything.
 constexpr double largest_growth = 1.8;
@@ -62,7 +65,7 @@ class Finder {
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
   CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
-    if (entries.size() - begin <= leaf_size) return {};
+    if (entries.size() - begin <= (cell.clipped ? clipped_leaf_size : leaf_size)) return {};
     CellCut cut;
     if (!cell.clipped) {
       cut = best_axis_cut(tail(entries, begin));
@@ -145,7 +148,7 @@ class Finder {
       }
       const CellCut cut = choose_cut(entries, task.begin, task.cell);
       if (cut.growth == infinity) {
-        test_all(tail(entries, task.begin), batch);
+        test_all(tail(entries, task.begin), batch, visit_);
         entries.resize(task.begin);
         continue;
       }
@@ -166,17 +169,38 @@ class Finder {
     if (!batch.empty()) visit_(batch);
   }
 
-  void test_all(std::span<const Entry> entries, std::vector<RunPair>& batch) const {
+  /// Tests every pair of a cell by a sweep along the axis on which the boxes spread more: of each box only those that
+  /// begin before its end need a look.
+  static void test_all(std::span<Entry> entries, std::vector<RunPair>& batch, const PairVisitor& visit) {
+    double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity, x_sum = 0, y_sum = 0;
+    for (const Entry& e : entries) {
+      x_low = std::min(x_low, e.box.x0);
+      x_high = std::max(x_high, e.box.x1);
+      y_low = std::min(y_low, e.box.y0);
+      y_high = std::max(y_high, e.box.y1);
+      x_sum += e.box.x1 - e.box.x0;
+      y_sum += e.box.y1 - e.box.y0;
+    }
+    if (x_sum * (y_high - y_low) <= y_sum * (x_high - x_low))
+      sweep<&Box::x0, &Box::x1, &Box::y0, &Box::y1>(entries, batch, visit);
+    else
+      sweep<&Box::y0, &Box::y1, &Box::x0, &Box::x1>(entries, batch, visit);
+  }
+
+  template <double Box::*begin, double Box::*end, double Box::*low, double Box::*high>
+  static void sweep(std::span<Entry> entries, std::vector<RunPair>& batch, const PairVisitor& visit) {
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& p, const Entry& q) { return p.box.*begin < q.box.*begin; });
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Entry& p = entries[i];
-      for (std::size_t j = i + 1; j < entries.size(); ++j) {
+      for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= p.box.*end; ++j) {
         const Entry& q = entries[j];
-        if (!p.box.meets(q.box)) continue;
+        if (p.box.*low > q.box.*high || q.box.*low > p.box.*high) continue;
         if (p.group == q.group && p.group != any_group) continue;
         batch.push_back({p.first, p.last, q.first, q.last});
       }
       if (batch.size() >= batch_size) {
-        visit_(batch);
+        visit(batch);
         batch.clear();
       }
     }

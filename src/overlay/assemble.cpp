@@ -1,5 +1,8 @@
 #include "overlay/assemble.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -73,6 +76,57 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
     if (i + 1 == order.size() || nesting.polygon[order[i + 1]] != nesting.polygon[order[i]])
       result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
   }
+  return result;
+}
+
+RegionSet join(std::vector<RegionSet> parts) {
+  if (parts.size() == 1) return std::move(parts[0]);
+  struct Polygon {
+    Point first;  // no other polygon starts there: parts have no point in common
+    std::uint32_t part, index;
+    std::uint32_t point, contour;  // where it begins in the result
+  };
+  std::vector<Polygon> polygons;
+  std::size_t points = 0, contours = 0;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    const RegionView view = parts[i];
+    points += view.points.size();
+    contours += view.contour_ends.size();
+    for (std::uint32_t p = 0; p < view.polygon_count(); ++p)
+      polygons.push_back({view.points[view.contour_begin(view.polygon_begin(p))], i, p, 0, 0});
+  }
+  // Of one part polygons are in order already, also where two start at the same vertex.
+  std::sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
+    if (p.first != q.first) return lexicographically_less(p.first, q.first);
+    return p.index < q.index;
+  });
+
+  RegionSet result;
+  result.points.resize(points);
+  result.contour_ends.resize(contours);
+  result.polygon_ends.resize(polygons.size());
+  std::uint32_t point = 0, contour = 0;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const RegionView view = parts[polygons[i].part];
+    const std::uint32_t begin = view.polygon_begin(polygons[i].index), end = view.polygon_end(polygons[i].index);
+    polygons[i].point = point;
+    polygons[i].contour = contour;
+    point += view.contour_ends[end - 1] - view.contour_begin(begin);
+    contour += end - begin;
+    result.polygon_ends[i] = contour;
+  }
+  constexpr std::size_t polygons_a_task = 512;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, polygons.size(), polygons_a_task), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const RegionView view = parts[polygons[i].part];
+      const std::uint32_t begin = view.polygon_begin(polygons[i].index), end = view.polygon_end(polygons[i].index);
+      const std::uint32_t first_point = view.contour_begin(begin);
+      std::copy(view.points.begin() + first_point, view.points.begin() + view.contour_ends[end - 1],
+                result.points.begin() + polygons[i].point);
+      for (std::uint32_t c = begin; c < end; ++c)
+        result.contour_ends[polygons[i].contour + c - begin] = view.contour_ends[c] - first_point + polygons[i].point;
+    }
+  });
   return result;
 }
 

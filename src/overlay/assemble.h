@@ -11,4 +11,8 @@ namespace oblast {
 /// outer contour first, holes and polygons in the order of their sequences. Cost: O(n + z log z).
 RegionSet assemble(const Rings& rings, const Nesting& nesting);
 
+/// One region set of several, each in canonical order, that have no point in common. Cost: O(n + p log p),
+/// p polygons.
+RegionSet join(std::vector<RegionSet> parts);
+
 }  // namespace oblast

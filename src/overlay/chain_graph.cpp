@@ -99,6 +99,12 @@ void merge_coincident_chains(ChainGraph& graph) {
   }
 }
 
+/// A descriptor with the point it aims at, so that sorting by angle finds it at hand.
+struct Aimed {
+  Point at;
+  Descriptor descriptor;
+};
+
 /// Step 3: the connectivity lists L(x) of live chains, each sorted by angle.
 void build_connectivity_lists(ChainGraph& graph) {
   auto& ends = graph.list_ends;
@@ -106,28 +112,29 @@ void build_connectivity_lists(ChainGraph& graph) {
   const auto chain_count = static_cast<std::uint32_t>(graph.chains.size());
   const auto for_each_live = [&](const auto& visit) {
     for (std::uint32_t c = 0; c < chain_count; ++c)
-      if (!graph.chains[c].is_loop() && graph.is_live(c)) visit(c);
+      if (!graph.chains[c].is_loop() && graph.is_live(c)) visit(c, graph.chains[c]);
   };
-  for_each_live([&](std::uint32_t c) {
-    ++ends[graph.chains[c].from + 1];
-    ++ends[graph.chains[c].to + 1];
+  for_each_live([&](std::uint32_t, const Chain& chain) {
+    ++ends[chain.from + 1];
+    ++ends[chain.to + 1];
   });
   for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-  graph.lists.resize(ends.back());
+  std::vector<Aimed> lists(ends.back());
   // ends[node] moves from the beginning of the node's list to its end as the list fills.
-  for_each_live([&](std::uint32_t c) {
-    graph.lists[ends[graph.chains[c].from]++] = forward(c);
-    graph.lists[ends[graph.chains[c].to]++] = opposite(forward(c));
+  for_each_live([&](std::uint32_t c, const Chain& chain) {
+    lists[ends[chain.from]++] = {graph.point(chain.first + 1), forward(c)};
+    lists[ends[chain.to]++] = {graph.point(chain.last - 1), opposite(forward(c))};
   });
   ends.pop_back();
 
   for (std::uint32_t node = 0; node < graph.node_count(); ++node) {
     const std::uint32_t begin = node == 0 ? 0 : ends[node - 1];
     const Point& x = graph.point(graph.node_vertex[node]);
-    std::sort(graph.lists.begin() + begin, graph.lists.begin() + ends[node], [&](Descriptor p, Descriptor q) {
-      return angularly_less(x, graph.point(graph.next_vertex(p)), graph.point(graph.next_vertex(q)));
-    });
+    std::sort(lists.begin() + begin, lists.begin() + ends[node],
+              [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
   }
+  graph.lists.reserve(lists.size());
+  for (const Aimed& aimed : lists) graph.lists.push_back(aimed.descriptor);
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #include "overlay/pipeline.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
-#include <cmath>
+#include <atomic>
+#include <chrono>
 
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
@@ -11,6 +15,7 @@
 #include "overlay/assemble.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
+#include "overlay/independent_parts.h"
 #include "overlay/link.h"
 #include "overlay/nesting.h"
 #include "overlay/rings.h"
@@ -22,8 +27,6 @@ namespace {
 void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, Statistics& statistics) {
   statistics.rounds = std::max(statistics.rounds, noding.rounds);
   statistics.largest_displacement = std::max(statistics.largest_displacement, noding.largest_displacement);
-  statistics.largest_displacement_ulps =
-      std::max(statistics.largest_displacement_ulps, noding.largest_displacement_ulps);
   std::vector<bool> cut(graph.node_count(), false);
   for (const Chain& chain : graph.chains)
     if (!chain.is_loop() && (graph.strands.flags[chain.first] & noding::added_flag)) cut[chain.from] = true;
@@ -57,13 +60,9 @@ PipelineResult finish(Rings rings, const Nesting& nesting, const Options& option
   return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
 }
 
-}  // namespace
-
-PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
-                            Control& control, Statistics& statistics) {
-  // 1. collect
-  noding::Strands strands = collect(a, b, options, control, statistics);
-
+/// Stages 2 to 6.
+PipelineResult overlay_strands(noding::Strands strands, Operation operation, const Options& options, Control& control,
+                               Statistics& statistics) {
   // 2. node
   const ChainGraph graph = node_stage(std::move(strands), control, statistics);
 
@@ -101,6 +100,64 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
   const StageClock clock(statistics, Stage::assemble);
   const Nesting nesting = nest(graph, selection, linked, rings);
   return finish(std::move(rings), nesting, options);
+}
+
+/// What parts did side by side, each stage with its share of the time that passed.
+void add_parts(const std::vector<Statistics>& parts, double elapsed, Statistics& statistics) {
+  double seconds[stage_count] = {}, total = 0;
+  for (const Statistics& part : parts) {
+    statistics.intersections += part.intersections;
+    statistics.rounds = std::max(statistics.rounds, part.rounds);
+    statistics.largest_displacement = std::max(statistics.largest_displacement, part.largest_displacement);
+    for (int i = 0; i < stage_count; ++i) {
+      seconds[i] += part.seconds[i];
+      total += part.seconds[i];
+    }
+  }
+  for (int i = 0; i < stage_count; ++i)
+    if (total > 0) statistics.seconds[i] += elapsed * seconds[i] / total;
+}
+
+PipelineResult overlay_parts(const noding::Strands& strands, const IndependentParts& parts, Operation operation,
+                             const Options& options, Control& control, Statistics& statistics) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Statistics> done(parts.size());
+  std::vector<RegionSet> regions(parts.size());
+  std::atomic<bool> touches = false;
+  std::atomic<std::size_t> finished = 0;
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    // A thread that waits inside a part must not begin another one there: waits would nest.
+    tbb::this_task_arena::isolate([&] {
+      PipelineResult result = overlay_strands(batch_of(strands, parts, i), operation, options, control, done[i]);
+      regions[i] = std::move(result.regions);
+      if (result.touches) touches = true;
+    });
+    const auto count = static_cast<double>(++finished);
+    control.checkpoint(Stage::node, count / static_cast<double>(parts.size()));
+  });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  add_parts(done, elapsed.count(), statistics);
+  const StageClock clock(statistics, Stage::assemble);
+  return {join(std::move(regions)), touches};
+}
+
+}  // namespace
+
+PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
+                            Control& control, Statistics& statistics) {
+  // 1. collect
+  noding::Strands strands = collect(a, b, options, control, statistics);
+  IndependentParts parts;
+  {
+    const StageClock clock(statistics, Stage::collect);
+    const bool both = operation == Operation::intersection;
+    parts = independent_parts(strands, {both || operation == Operation::difference, both});
+  }
+
+  // 2 to 6, for all strands or part by part
+  const bool one_part = parts.size() == 1 && parts.strands.size() == strands.size();
+  if (one_part) return overlay_strands(std::move(strands), operation, options, control, statistics);
+  return overlay_parts(strands, parts, operation, options, control, statistics);
 }
 
 }  // namespace oblast

@@ -1,0 +1,178 @@
+#include "overlay/independent_parts.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "noding/cell_cut.h"
+
+namespace oblast {
+namespace {
+
+using noding::Box;
+using noding::Entry;
+using noding::Strands;
+
+// Fewer vertices are not worth dividing; a batch of this many has its arrays in the second-level cache.
+constexpr std::size_t batch_vertices = 4000;
+constexpr std::size_t leaf_size = 12;
+// A cut that copies more than this separates nothing, and more work than this by strand is not worth it: then all
+// boxes of the cell count as connected.
+constexpr double largest_growth = 1.4;
+constexpr std::size_t work_by_strand = 64;
+
+/// Disjoint sets, with path halving.
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// The smaller one becomes the root, so roots do not depend on the order of the calls.
+  void unite(std::uint32_t i, std::uint32_t j) {
+    i = find(i);
+    j = find(j);
+    if (i != j) parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// The box of every strand, with the strand in `first`.
+std::vector<Entry> boxes_of(const Strands& strands) {
+  std::vector<Entry> boxes(strands.size());
+  for (std::uint32_t s = 0; s < strands.size(); ++s) {
+    const std::uint32_t begin = strands.begin(s);
+    Box box = Box::of(strands.points[begin], strands.points[begin]);
+    for (std::uint32_t v = begin + 1; v < strands.ends[s]; ++v) {
+      const Point& p = strands.points[v];
+      box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+    }
+    boxes[s] = {box, s, s, noding::any_group};
+  }
+  return boxes;
+}
+
+/// Connects boxes that meet: cells are cut in two, as in the search for meetings (pair_finder.h), until few boxes are
+/// left or all of a cell are known to be connected.
+Sets connect(std::vector<Entry> entries) {
+  Sets sets(entries.size());
+  const std::size_t most_work = entries.size() * work_by_strand;
+  std::size_t work = 0;
+  std::vector<Entry> right;
+  std::vector<std::size_t> stack{0};  // cells, depth first: the one on top owns the tail of `entries`
+  while (!stack.empty()) {
+    const std::size_t begin = stack.back();
+    stack.pop_back();
+    const std::span<const Entry> cell = std::span(entries).subspan(begin);
+    work += cell.size();
+    const bool connected = std::all_of(cell.begin(), cell.end(),
+                                       [&](const Entry& e) { return sets.find(e.first) == sets.find(cell[0].first); });
+    if (connected) {
+      entries.resize(begin);
+      continue;
+    }
+    if (cell.size() <= leaf_size) {
+      for (std::size_t i = 0; i < cell.size(); ++i)
+        for (std::size_t j = i + 1; j < cell.size(); ++j)
+          if (cell[i].box.meets(cell[j].box)) sets.unite(cell[i].first, cell[j].first);
+      entries.resize(begin);
+      continue;
+    }
+    const noding::CellCut cut = noding::best_axis_cut(cell);
+    if (cut.growth > largest_growth || work > most_work) {
+      for (const Entry& e : cell) sets.unite(cell[0].first, e.first);
+      entries.resize(begin);
+      continue;
+    }
+    right.clear();
+    std::size_t left_end = begin;
+    for (std::size_t i = begin; i < entries.size(); ++i) {
+      const Entry e = entries[i];
+      const noding::Sides sides = noding::divide_box(e, cut);
+      if (sides.right) right.push_back(e);
+      if (sides.left) entries[left_end++] = e;
+    }
+    entries.resize(left_end);
+    entries.insert(entries.end(), right.begin(), right.end());
+    stack.push_back(begin);
+    stack.push_back(left_end);
+  }
+  return sets;
+}
+
+}  // namespace
+
+IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
+  IndependentParts parts;
+  const auto count = static_cast<std::uint32_t>(strands.size());
+  parts.strands.resize(count);
+  if (strands.points.size() <= batch_vertices || count == 1) {
+    std::iota(parts.strands.begin(), parts.strands.end(), 0U);
+    parts.ends = {count};
+    return parts;
+  }
+
+  Sets sets = connect(boxes_of(strands));
+  struct Part {
+    std::uint32_t vertices = 0;
+    bool a = false, b = false;
+  };
+  std::vector<Part> part(count);  // by root
+  for (std::uint32_t s = 0; s < count; ++s) {
+    Part& p = part[sets.find(s)];
+    p.vertices += strands.ends[s] - strands.begin(s);
+    p.a |= strands.change[s].a != 0;
+    p.b |= strands.change[s].b != 0;
+  }
+
+  constexpr std::uint32_t left_out = 0xffffffff;
+  std::vector<std::uint32_t> batch(count, left_out);  // by strand
+  std::uint32_t batches = 0;
+  std::size_t filled = batch_vertices;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const std::uint32_t root = sets.find(s);
+    if (root != s) {
+      batch[s] = batch[root];
+      continue;
+    }
+    if ((needs.a && !part[s].a) || (needs.b && !part[s].b)) continue;
+    if (filled >= batch_vertices) {
+      ++batches;
+      filled = 0;
+    }
+    filled += part[s].vertices;
+    batch[s] = batches - 1;
+  }
+
+  parts.ends.assign(batches + 1, 0);
+  for (const std::uint32_t b : batch)
+    if (b != left_out) ++parts.ends[b + 1];
+  std::partial_sum(parts.ends.begin(), parts.ends.end(), parts.ends.begin());
+  // ends[b] moves from the beginning of the batch to its end as the batch fills.
+  for (std::uint32_t s = 0; s < count; ++s)
+    if (batch[s] != left_out) parts.strands[parts.ends[batch[s]]++] = s;
+  parts.ends.pop_back();
+  parts.strands.resize(parts.ends.empty() ? 0 : parts.ends.back());
+  return parts;
+}
+
+Strands batch_of(const Strands& strands, const IndependentParts& parts, std::size_t batch) {
+  const auto begin = parts.strands.begin() + (batch == 0 ? 0 : parts.ends[batch - 1]);
+  const auto end = parts.strands.begin() + parts.ends[batch];
+  Strands part;
+  part.parity = strands.parity;
+  std::size_t vertices = 0;
+  for (auto s = begin; s != end; ++s) vertices += strands.ends[*s] - strands.begin(*s);
+  part.points.reserve(vertices);
+  for (auto s = begin; s != end; ++s) {
+    part.points.insert(part.points.end(), strands.points.begin() + strands.begin(*s),
+                       strands.points.begin() + strands.ends[*s]);
+    part.close_strand(strands.change[*s], strands.group[*s]);
+  }
+  return part;
+}
+
+}  // namespace oblast
