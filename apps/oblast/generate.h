@@ -1,0 +1,11 @@
+// What `oblast generate` can make.
+#pragma once
+
+#include "oblast/command.h"
+
+namespace oblast::app {
+
+void add_generate_fires(CLI::App& generate, Invocation& invocation);
+void add_generate_star(CLI::App& generate, Invocation& invocation);
+
+}  // namespace oblast::app

@@ -1,0 +1,172 @@
+// `oblast generate fires`: writes the passes of fires.h as shapefiles.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "io/layer.h"
+#include "io/write.h"
+#include "oblast/command.h"
+#include "oblast/console.h"
+#include "oblast/fires.h"
+#include "oblast/generate.h"
+#include "oblast/interrupt.h"
+
+namespace oblast::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer = R"(
+Models the data of the 2013 paper: one shapefile a satellite pass, contours of the
+pixels in which a fire was detected (mostly quadrilaterals), longitude and latitude.
+All months: 3,906 files, 190,915 contours, 1,134,325 vertices. The same seed gives
+the same coordinates everywhere; a month is the same alone or with others.
+
+Example: April, 470 files
+  oblast generate fires --month april -o fires)";
+
+constexpr const char* wgs84 =
+    R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563,AUTHORITY["EPSG","7030"]],AUTHORITY["EPSG","6326"]],PRIMEM["Greenwich",0,AUTHORITY["EPSG","8901"]],UNIT["degree",0.0174532925199433,AUTHORITY["EPSG","9122"]],AUTHORITY["EPSG","4326"]])";
+
+struct Arguments {
+  std::string folder;
+  bool overwrite = false;
+  bool quiet = false;
+  FiresOptions options;
+};
+
+int parse_month(std::string word) {
+  static constexpr const char* names[] = {"january", "february", "march",     "april",   "may",      "june",
+                                          "july",    "august",   "september", "october", "november", "december"};
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const FireMonth& month : fire_months) {
+    if (word == names[month.month - 1] || word == std::to_string(month.month)) return month.month;
+  }
+  throw CLI::ValidationError(
+      fmt::format("'{}' is none of the paper's months: april, may, june, july, september, october", word));
+}
+
+bool is_generated(const fs::path& file) { return file.filename().string().rfind("fires-2011-", 0) == 0; }
+
+// The folder may exist when it is empty, or when the generated files in it may be replaced.
+void check_folder(const Arguments& arguments) {
+  std::error_code error;
+  const fs::path folder = arguments.folder;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) throw io::IoError(arguments.folder + ": exists and is no folder");
+  if (!fs::is_empty(folder, error) && !arguments.overwrite) {
+    throw io::IoError(arguments.folder + ": the folder is not empty (--overwrite replaces the generated files in it)");
+  }
+}
+
+// Files are made in a folder of their own and moved at the end; it goes when the work is stopped.
+class Stage {
+ public:
+  explicit Stage(const fs::path& target) : target_(target) {
+    fs::create_directories(target_);
+    path_ = target_ / (".writing-" + std::to_string(::getpid()));
+    fs::create_directory(path_);
+  }
+  ~Stage() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    fs::remove(target_, ignored);  // only when nothing is in it
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  void commit() {
+    for (const fs::directory_entry& old : fs::directory_iterator(target_)) {
+      if (is_generated(old.path())) fs::remove(old.path());
+    }
+    for (const fs::directory_entry& made : fs::directory_iterator(path_))
+      fs::rename(made.path(), target_ / made.path().filename());
+  }
+
+ private:
+  fs::path target_, path_;
+};
+
+void write_passes(const std::vector<FirePass>& passes, const fs::path& folder, ProgressLine& progress) {
+  io::WriteOptions options;
+  options.crs_wkt = wgs84;
+  std::atomic<std::size_t> done = 0;
+  std::mutex mutex;
+  tbb::parallel_for(std::size_t{0}, passes.size(), [&](std::size_t k) {
+    if (interrupted()) throw Interrupted();
+    io::write((folder / (passes[k].name + ".shp")).string(), passes[k].contours, options);
+    const std::size_t count = ++done;
+    if (const std::unique_lock lock(mutex, std::try_to_lock); lock) {
+      progress.show("writing", static_cast<double>(count) / static_cast<double>(passes.size()));
+    }
+  });
+}
+
+int run(const Arguments& arguments, bool json) {
+  check_folder(arguments);
+  const InterruptFlag watch;
+  ProgressLine progress(!arguments.quiet);
+  progress.show("generating", 0);
+  const std::vector<FirePass> passes = generate_fires(arguments.options);
+  Stage stage(arguments.folder);
+  write_passes(passes, stage.path(), progress);
+  stage.commit();
+  progress.clear();
+  std::size_t contours = 0, vertices = 0;
+  for (const FirePass& pass : passes) {
+    contours += pass.contours.contour_ends.size();
+    vertices += pass.contours.points.size();
+  }
+  if (json) {
+    const nlohmann::ordered_json object{
+        {"output", arguments.folder}, {"seed", arguments.options.seed}, {"scale", arguments.options.scale},
+        {"files", passes.size()},     {"contours", contours},           {"vertices", vertices}};
+    fmt::print("{}\n", object.dump(2));
+  } else if (!arguments.quiet) {
+    fmt::print(stderr, "{}: {}, {}, {}\n", arguments.folder, counted(passes.size(), "file"),
+               counted(contours, "contour"), counted(vertices, "vertex"));
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_generate_fires(CLI::App& generate, Invocation& invocation) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = generate.add_subcommand("fires", "Satellite fire detections as a folder of shapefiles.");
+  command->footer(footer);
+  command->add_option("-o,--output", arguments->folder, "the folder to make")->required()->type_name("DIR");
+  command->add_option("--seed", arguments->options.seed, "another seed, other fires (1)")->type_name("N");
+  command->add_option("--scale", arguments->options.scale, "of files, contours and vertices (1)")
+      ->check(CLI::Range(1e-4, 100.0))
+      ->type_name("X");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--month,--months",
+          [arguments](const std::vector<std::string>& words) {
+            for (const std::string& word : words) arguments->options.months.push_back(parse_month(word));
+          },
+          "april to july, september, october, or 4 to 7, 9, 10 (all six)")
+      ->delimiter(',')
+      ->type_name("MONTH,...");
+  command->add_flag("--overwrite", arguments->overwrite, "replace generated files in the folder");
+  command->add_flag("--json", invocation.json, "one object on standard output");
+  command->add_flag("-q,--quiet", arguments->quiet, "no progress, no summary");
+  command->callback([arguments, &invocation] {
+    invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
+  });
+}
+
+}  // namespace oblast::app

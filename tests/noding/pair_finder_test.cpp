@@ -1,0 +1,224 @@
+// The pair search against every pair: no two edges that meet may be missed, whichever way cells are cut.
+#include "noding/pair_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "generators/random.h"
+#include "support/strands_of.h"
+#include "verify/predicates.h"
+
+namespace oblast::noding {
+namespace {
+
+using generators::Random;
+using testing::Path;
+using testing::strands_of;
+using verify::side_of_line;
+
+using EdgePair = std::uint64_t;
+
+EdgePair pair_of(std::uint32_t i, std::uint32_t j) {
+  return static_cast<std::uint64_t>(std::min(i, j)) << 32 | std::max(i, j);
+}
+
+Box box_of(const Strands& strands, std::uint32_t e) { return Box::of(strands.points[e], strands.points[e + 1]); }
+
+/// Closed edges with a point in common.
+bool meet(const Strands& strands, std::uint32_t i, std::uint32_t j) {
+  const Point &a = strands.points[i], &b = strands.points[i + 1], &c = strands.points[j], &d = strands.points[j + 1];
+  return box_of(strands, i).meets(box_of(strands, j)) && side_of_line(a, b, c) * side_of_line(a, b, d) <= 0 &&
+         side_of_line(c, d, a) * side_of_line(c, d, b) <= 0;
+}
+
+/// The pairs of edges that the search visits, sorted, of those whose boxes meet.
+std::vector<EdgePair> visited(const Strands& strands, std::vector<Run> runs) {
+  std::mutex mutex;
+  std::vector<EdgePair> pairs;
+  find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> batch) {
+    const std::lock_guard lock(mutex);
+    for (const RunPair& pair : batch)
+      for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i)
+        for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j)
+          if (box_of(strands, i).meets(box_of(strands, j))) pairs.push_back(pair_of(i, j));
+  });
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// Every two edges of different runs that meet are visited, but where both runs are of one group.
+/// Returns how many there are.
+std::size_t expect_all_found(const Strands& strands) {
+  const std::vector<noding::Run> runs = monotone_runs(strands, Grouping::by_strand);
+  const std::vector<EdgePair> found = visited(strands, runs);
+  struct Edge {
+    std::uint32_t edge, run;
+    Box box;
+  };
+  std::vector<Edge> edges;
+  for (std::uint32_t r = 0; r < runs.size(); ++r)
+    for (std::uint32_t e = runs[r].first; e < runs[r].last; ++e) edges.push_back({e, r, box_of(strands, e)});
+  std::size_t count = 0, missed = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      if (!edges[i].box.meets(edges[j].box) || edges[i].run == edges[j].run) continue;
+      const Group group = runs[edges[i].run].group;
+      if (group != any_group && group == runs[edges[j].run].group) continue;
+      if (!meet(strands, edges[i].edge, edges[j].edge)) continue;
+      ++count;
+      missed += !std::binary_search(found.begin(), found.end(), pair_of(edges[i].edge, edges[j].edge));
+    }
+  }
+  EXPECT_EQ(missed, 0u) << "of " << count;
+  return count;
+}
+
+Path edge(const Point& a, const Point& b) { return {a, b}; }
+
+TEST(PairFinder, findsRandomEdges) {
+  Random random(1);
+  for (const int n : {2, 40, 513, 3000}) {
+    std::vector<Path> paths;
+    const double length = 3 / std::sqrt(n);
+    for (int i = 0; i < n; ++i) {
+      const Point p{random.unit(), random.unit()};
+      paths.push_back(edge(p, {p.x + random.in(-length, length), p.y + random.in(-length, length)}));
+    }
+    EXPECT_GT(expect_all_found(strands_of(paths)), static_cast<std::size_t>(n > 2 ? n / 3 : 0));
+  }
+}
+
+TEST(PairFinder, findsAcrossThreads) {
+  // Enough entries that cells are cut in parallel; short edges, so that few pairs meet.
+  Random random(2);
+  std::vector<Path> paths;
+  for (int i = 0; i < 21000; ++i) {
+    const Point p{random.unit(), random.unit()};
+    paths.push_back(edge(p, {p.x + random.in(-0.01, 0.01), p.y + random.in(-0.01, 0.01)}));
+  }
+  EXPECT_GT(expect_all_found(strands_of(paths)), 5000u);
+}
+
+TEST(PairFinder, findsRunsOfSeveralEdges) {
+  Random random(3);
+  std::vector<Path> paths;
+  for (int i = 0; i < 300; ++i) {
+    Path path{{random.unit(), random.unit()}};
+    for (int k = 0; k < 10; ++k)
+      path.push_back({path.back().x + random.in(-0.01, 0.03), path.back().y + random.in(-0.01, 0.03)});
+    paths.push_back(path);
+  }
+  EXPECT_GT(expect_all_found(strands_of(paths)), 1000u);
+}
+
+TEST(PairFinder, findsLongSlabs) {
+  // Long thin boxes along both axes: every cut is straddled by half of them.
+  Random random(4);
+  std::vector<Path> paths;
+  for (int i = 0; i < 400; ++i) {
+    const double at = random.unit();
+    paths.push_back(edge({0, at}, {1, at + random.in(-1e-3, 1e-3)}));
+    paths.push_back(edge({at + random.in(-1e-3, 1e-3), 0}, {at, 1}));
+  }
+  EXPECT_GT(expect_all_found(strands_of(paths)), 100000u);
+}
+
+/// `n` long edges that run side by side in a band around the line from p to q.
+void add_bundle(std::vector<Path>& paths, Random& random, int n, const Point& p, const Point& q, double width) {
+  for (int i = 0; i < n; ++i) {
+    const auto near = [&](const Point& at) {
+      return Point{at.x + random.in(-width, width), at.y + random.in(-width, width)};
+    };
+    paths.push_back(random.one_in(2) ? edge(near(p), near(q)) : edge(near(q), near(p)));
+  }
+}
+
+TEST(PairFinder, findsBundles) {
+  for (const double width : {1e-1, 1e-4, 1e-12, 1e-16}) {
+    Random random(5);
+    std::vector<Path> paths;
+    add_bundle(paths, random, 900, {0, 0}, {1, 1}, width);
+    EXPECT_GT(expect_all_found(strands_of(paths)), 50000u) << width;
+  }
+}
+
+TEST(PairFinder, losesNoCrossingWhereClippedCellsMeetUnclippedLeaves) {
+  // A crossing was lost where a clipped cell owned a pair: two dense bundles of long, nearly parallel edges
+  // that cross, and many small boxes where they do, so that some cells are clipped and their neighbours not.
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    Random random(seed);
+    std::vector<Path> paths;
+    const double width = std::pow(10, -1 - 4 * random.unit());
+    const int in_bundle = 300 + random.below(300);
+    add_bundle(paths, random, in_bundle, {-1, -1 + 0.3 * random.unit()}, {1, 1}, width);
+    add_bundle(paths, random, in_bundle, {-1, 1}, {1, -1 + 0.3 * random.unit()}, width);
+    for (int i = 0; i < 700; ++i) {
+      const double x = random.in(-0.2, 0.2), y = random.in(-0.2, 0.3), size = random.in(0, 0.02);
+      paths.push_back(testing::closed(testing::box(x, y, x + size, y + size)));
+    }
+    EXPECT_GT(expect_all_found(strands_of(paths)), static_cast<std::size_t>(in_bundle) * in_bundle / 2) << seed;
+  }
+}
+
+TEST(PairFinder, findsFans) {
+  // All edges end in one vertex; and others end on the edges of the fan.
+  Random random(6);
+  std::vector<Path> paths;
+  for (int i = 0; i < 700; ++i) {
+    const Point tip{random.in(0, 4), random.in(-1, 1)};
+    paths.push_back(edge({0, 0}, tip));
+    if (i % 2 == 0) paths.push_back(edge({tip.x / 2, tip.y / 2}, {random.in(0, 4), random.in(-1, 1)}));
+  }
+  EXPECT_GT(expect_all_found(strands_of(paths)), 700u * 699 / 2);
+}
+
+TEST(PairFinder, findsTouchesOnALattice) {
+  // Vertices on edges, collinear overlaps and copies: cuts run along edges that others only touch.
+  Random random(7);
+  for (const int size : {8, 20}) {
+    std::vector<Path> paths;
+    for (int i = 0; i < 900; ++i) {
+      const auto point = [&] { return Point{1.0 * random.below(size), 1.0 * random.below(size)}; };
+      const Point p = point(), q = point();
+      if (p != q) paths.push_back(edge(p, q));
+    }
+    EXPECT_GT(expect_all_found(strands_of(paths)), 50000u);
+  }
+}
+
+TEST(PairFinder, findsCopies) {
+  // No cut parts them: every pair is tested.
+  const std::vector<Path> paths(700, edge({0, 0}, {3, 1}));
+  EXPECT_EQ(expect_all_found(strands_of(paths)), 700u * 699 / 2);
+  const std::vector<Path> points_apart(600, edge({0, 0}, {0, 1}));  // boxes without width
+  EXPECT_EQ(expect_all_found(strands_of(points_apart)), 600u * 599 / 2);
+}
+
+TEST(PairFinder, findsTouchesAtCellBorders) {
+  // Squares of a lattice: medians fall on the very lines where boxes touch.
+  std::vector<Path> paths;
+  for (int i = 0; i < 24; ++i)
+    for (int j = 0; j < 24; ++j) paths.push_back(testing::closed(testing::box(i, j, i + 1, j + 1)));
+  EXPECT_GT(expect_all_found(strands_of(paths)), 5000u);
+}
+
+TEST(PairFinder, passesOverPairsOfOneGroup) {
+  Random random(8);
+  std::vector<Path> paths;
+  for (int i = 0; i < 800; ++i) paths.push_back(edge({random.unit(), random.unit()}, {random.unit(), random.unit()}));
+  Strands strands = strands_of(paths, {1, 0}, 5);
+  EXPECT_TRUE(visited(strands, monotone_runs(strands, Grouping::by_strand)).empty());
+  for (std::size_t s = 0; s < strands.size(); ++s) strands.group[s] = static_cast<Group>(random.below(3));
+  EXPECT_GT(expect_all_found(strands), 1000u);
+  for (const EdgePair pair : visited(strands, monotone_runs(strands, Grouping::by_strand))) {
+    const Group p = strands.group[(pair >> 32) / 2], q = strands.group[(pair & 0xffffffff) / 2];
+    ASSERT_TRUE(p != q || p == any_group);
+  }
+}
+
+}  // namespace
+}  // namespace oblast::noding
