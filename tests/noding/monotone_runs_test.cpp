@@ -65,9 +65,10 @@ TEST(MonotoneRuns, coverEveryEdgeOnceAndNeverTurnBack) {
 TEST(MonotoneRuns, areMaximal) {
   const Path ring = closed({{0, 0}, {1, 0}, {2, 1}, {2, 3}, {1, 4}, {0, 4}});
   const auto runs = monotone_runs(strands_of({ring}), Grouping::by_strand);
-  ASSERT_EQ(runs.size(), 2u);  // right and up, left and up; then straight down, which contradicts up
+  ASSERT_EQ(runs.size(), 3u);  // right and up, left and up, straight down
   EXPECT_EQ(runs[0].last, 3u);
-  EXPECT_EQ(runs[1].first, 3u);
+  EXPECT_EQ(runs[1].last, 5u);
+  EXPECT_EQ(runs[2].last, 6u);
 }
 
 TEST(MonotoneRuns, takeTheGroupOfTheirStrand) {

@@ -50,8 +50,38 @@ std::vector<EdgePair> visited(const Strands& strands, std::vector<Run> runs) {
   return pairs;
 }
 
-/// Every two edges of different runs that meet are visited, but where both runs are of one group.
-/// Returns how many there are.
+bool ends_at(const Strands& strands, std::uint32_t e, const Point& x) {
+  return strands.points[e] == x || strands.points[e + 1] == x;
+}
+
+/// Edges that meet in a common end only. A cut along an edge through it may part them (cell_cut.cpp).
+bool meet_in_an_end(const Strands& strands, std::uint32_t i, std::uint32_t j) {
+  const Point &a = strands.points[i], &b = strands.points[i + 1], &c = strands.points[j], &d = strands.points[j + 1];
+  return !verify::meet_badly(a, b, c, d);
+}
+
+/// The edges through x are linked by visited pairs, or follow one another, so that each is seen to meet another there.
+bool linked_at(const Strands& strands, const Point& x, const std::vector<EdgePair>& found) {
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t e : testing::edges_of(strands))
+    if (box_of(strands, e).meets(Box::of(x, x)) && side_of_line(strands.points[e], strands.points[e + 1], x) == 0)
+      left.push_back(e);
+  std::vector<std::uint32_t> reached{left.back()};
+  left.pop_back();
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const auto linked = [&](std::uint32_t e) {
+      const bool follows = reached[i] + 1 == e || e + 1 == reached[i];
+      return follows || std::binary_search(found.begin(), found.end(), pair_of(reached[i], e));
+    };
+    const auto unreached = std::partition(left.begin(), left.end(), [&](std::uint32_t e) { return !linked(e); });
+    reached.insert(reached.end(), unreached, left.end());
+    left.erase(unreached, left.end());
+  }
+  return left.empty();
+}
+
+/// Every two edges of different runs that meet are visited, but where both runs are of one group; those that
+/// meet in a common end may be visited by way of others. Returns how many pairs meet.
 std::size_t expect_all_found(const Strands& strands) {
   const std::vector<noding::Run> runs = monotone_runs(strands, Grouping::by_strand);
   const std::vector<EdgePair> found = visited(strands, runs);
@@ -63,17 +93,26 @@ std::size_t expect_all_found(const Strands& strands) {
   for (std::uint32_t r = 0; r < runs.size(); ++r)
     for (std::uint32_t e = runs[r].first; e < runs[r].last; ++e) edges.push_back({e, r, box_of(strands, e)});
   std::size_t count = 0, missed = 0;
+  std::vector<Point> common_ends;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size(); ++j) {
       if (!edges[i].box.meets(edges[j].box) || edges[i].run == edges[j].run) continue;
       const Group group = runs[edges[i].run].group;
       if (group != any_group && group == runs[edges[j].run].group) continue;
-      if (!meet(strands, edges[i].edge, edges[j].edge)) continue;
+      const std::uint32_t p = edges[i].edge, q = edges[j].edge;
+      if (!meet(strands, p, q)) continue;
       ++count;
-      missed += !std::binary_search(found.begin(), found.end(), pair_of(edges[i].edge, edges[j].edge));
+      if (std::binary_search(found.begin(), found.end(), pair_of(p, q))) continue;
+      if (meet_in_an_end(strands, p, q))
+        common_ends.push_back(ends_at(strands, q, strands.points[p]) ? strands.points[p] : strands.points[p + 1]);
+      else
+        ++missed;
     }
   }
   EXPECT_EQ(missed, 0u) << "of " << count;
+  std::sort(common_ends.begin(), common_ends.end(), lexicographically_less);
+  common_ends.erase(std::unique(common_ends.begin(), common_ends.end()), common_ends.end());
+  for (const Point& x : common_ends) EXPECT_TRUE(linked_at(strands, x, found)) << x.x << " " << x.y;
   return count;
 }
 
@@ -81,14 +120,14 @@ Path edge(const Point& a, const Point& b) { return {a, b}; }
 
 TEST(PairFinder, findsRandomEdges) {
   Random random(1);
-  for (const int n : {2, 40, 513, 3000}) {
+  for (const int n : {40, 513, 3000}) {
     std::vector<Path> paths;
     const double length = 3 / std::sqrt(n);
     for (int i = 0; i < n; ++i) {
       const Point p{random.unit(), random.unit()};
       paths.push_back(edge(p, {p.x + random.in(-length, length), p.y + random.in(-length, length)}));
     }
-    EXPECT_GT(expect_all_found(strands_of(paths)), static_cast<std::size_t>(n > 2 ? n / 3 : 0));
+    EXPECT_GT(expect_all_found(strands_of(paths)), static_cast<std::size_t>(n / 3));
   }
 }
 
@@ -141,15 +180,30 @@ TEST(PairFinder, findsBundles) {
   for (const double width : {1e-1, 1e-4, 1e-12, 1e-16}) {
     Random random(5);
     std::vector<Path> paths;
-    add_bundle(paths, random, 900, {0, 0}, {1, 1}, width);
-    EXPECT_GT(expect_all_found(strands_of(paths)), 50000u) << width;
+    add_bundle(paths, random, 400, {0, 0}, {1, 1}, width);
+    EXPECT_GT(expect_all_found(strands_of(paths)), 20000u) << width;
   }
 }
 
-TEST(PairFinder, losesNoCrossingWhereClippedCellsMeetUnclippedLeaves) {
-  // A crossing was lost where a clipped cell owned a pair: two dense bundles of long, nearly parallel edges
-  // that cross, and many small boxes where they do, so that some cells are clipped and their neighbours not.
-  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+TEST(PairFinder, losesNoCrossingThatAClippedCellOwned) {
+  // A crossing was lost where a clipped cell owned a pair. A dense bundle makes its cells clipped; small boxes
+  // beside it make leaves that are not; long edges run from the ones into the others and cross there, while
+  // the lower left corner that their boxes share is in a clipped cell.
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(seed);
+    std::vector<Path> paths;
+    add_bundle(paths, random, 600, {0, 0}, {1, 1}, 0.01);
+    for (int i = 0; i < 600; ++i) {
+      const double x = random.in(1.2, 2.2), y = random.in(1.2, 2.2), size = random.in(0, 0.02);
+      paths.push_back(testing::closed(testing::box(x, y, x + size, y + size)));
+    }
+    add_bundle(paths, random, 25, {0.2, 0.2}, {2.1, 2.1}, 0.1);
+    expect_all_found(strands_of(paths));
+  }
+}
+
+TEST(PairFinder, findsBundlesThatCrossAmongSmallBoxes) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
     Random random(seed);
     std::vector<Path> paths;
     const double width = std::pow(10, -1 - 4 * random.unit());
