@@ -1,0 +1,36 @@
+// Stages 1 to 5 alone, for tests of the later ones.
+#pragma once
+
+#include <oblast/overlay.h>
+
+#include <string>
+
+#include "overlay/chain_graph.h"
+#include "overlay/link.h"
+#include "overlay/rings.h"
+#include "overlay/select.h"
+
+namespace oblast::testing {
+
+/// A drawing of a question: two operands (verify/text_regions.h), what to do with them.
+struct Question {
+  std::string a, b;
+  Operation operation = Operation::unite;
+  Options options = {};
+};
+
+/// Stage 1 with stage 2: `b` may be null.
+ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& options);
+
+struct Linked {
+  ChainGraph graph;
+  Selection selection;
+  LinkedContours contours;
+  Rings rings;
+};
+
+/// Everything up to the rings of the result.
+Linked linked_of(const RegionView& a, const RegionView& b, Operation operation, const Options& options);
+Linked linked_of(const Question& question);
+
+}  // namespace oblast::testing
