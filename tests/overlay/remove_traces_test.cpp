@@ -1,0 +1,107 @@
+// Edges that cancel leave nothing behind, unless the straight edge would meet something.
+#include <gtest/gtest.h>
+#include <oblast/overlay.h>
+
+#include "generators/random.h"
+#include "overlay/rings.h"
+#include "verify/text_regions.h"
+
+namespace oblast {
+namespace {
+
+using verify::regions_of;
+
+/// Rings with the vertices numbered in `traces` flagged.
+Rings rings_of(const std::string& text, const std::vector<std::size_t>& traces, std::uint8_t flag = trace_vertex) {
+  const RegionSet set = regions_of(text);
+  Rings rings;
+  rings.points = set.points;
+  rings.ends = set.contour_ends;
+  rings.flags.assign(rings.points.size(), 0);
+  for (const std::size_t v : traces) rings.flags[v] = flag;
+  return rings;
+}
+
+void expect_points(const Rings& rings, const std::string& text) {
+  const RegionSet set = regions_of(text);
+  EXPECT_EQ(rings.points, set.points);
+  EXPECT_EQ(rings.ends, set.contour_ends);
+}
+
+TEST(RemoveTraces, takesThemOut) {
+  expect_points(remove_traces(rings_of("0 0, 2 0.5, 6 3.5, 8 4, 0 4", {1, 2}), CollinearVertices::keep),
+                "0 0, 8 4, 0 4");
+  // Also where a ring begins with them.
+  expect_points(remove_traces(rings_of("6 3.5, 8 4, 0 4, 0 0, 2 0.5", {0, 4}), CollinearVertices::keep),
+                "8 4, 0 4, 0 0");
+}
+
+TEST(RemoveTraces, withoutAnyChangesNothing) {
+  const std::string text = "0 0, 2 0, 4 0, 4 4, 0 4 | 9 9, 10 9, 10 10";
+  expect_points(remove_traces(rings_of(text, {}), CollinearVertices::keep), text);
+}
+
+TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldCross) {
+  // The tip of the other ring reaches across the straight edge, towards the trace vertex.
+  const std::string text = "0 0, 4 1, 8 4, 0 4 | 4 1.5, 4 3.5, 3 3.5";
+  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), text);
+  // It ends on the straight edge.
+  const std::string touching = "0 0, 4 1, 8 4, 0 4 | 4 2, 4 3.5, 3 3.5";
+  expect_points(remove_traces(rings_of(touching, {1}), CollinearVertices::keep), touching);
+  // It stays above.
+  expect_points(remove_traces(rings_of("0 0, 4 1, 8 4, 0 4 | 4 2.5, 4 3.5, 3 3.5", {1}), CollinearVertices::keep),
+                "0 0, 8 4, 0 4 | 4 2.5, 4 3.5, 3 3.5");
+}
+
+TEST(RemoveTraces, keepsThemWhereTheyLeaveTheBoxOfTheStraightEdge) {
+  const std::string text = "0 0, 4 -1, 8 4, 0 4";
+  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), text);
+}
+
+TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldPassOverAVertex) {
+  // The small ring lies whole between the edge's pieces and the straight edge: neither would cross it.
+  const std::string text = "0 0, 2 2, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6";
+  const std::string bent = "0 0, 3 1, 4 4, 0 4 | 2.4 2, 2.5 2, 2.5 2.1";
+  expect_points(remove_traces(rings_of(bent, {1}), CollinearVertices::keep), bent);
+  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), "0 0, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6");
+}
+
+TEST(RemoveTraces, givesBackOnlyWhatIsInTheWay) {
+  // Two edges with a trace each; only one of them has something between.
+  const Rings rings = rings_of("0 0, 4 1, 8 4, 5 5, 0 8 | 4 1.5, 4 3.5, 3 3.5", {1, 3});
+  expect_points(remove_traces(rings, CollinearVertices::keep), "0 0, 4 1, 8 4, 0 8 | 4 1.5, 4 3.5, 3 3.5");
+}
+
+TEST(RemoveTraces, dropsCollinearVerticesWhenTold) {
+  const Rings rings = rings_of("0 0, 1 0, 2 0, 4 0, 4 4, 0 4", {});
+  expect_points(remove_traces(rings, CollinearVertices::drop), "0 0, 4 0, 4 4, 0 4");
+  // Not where contours touch, nor where there is the slightest turn.
+  expect_points(remove_traces(rings_of("0 0, 1 0, 2 0, 4 0, 4 4, 0 4", {2}, touch_vertex), CollinearVertices::drop),
+                "0 0, 2 0, 4 0, 4 4, 0 4");
+  expect_points(remove_traces(rings_of("0 0, 2 1e-300, 4 0, 4 4, 0 4", {}), CollinearVertices::drop),
+                "0 0, 2 1e-300, 4 0, 4 4, 0 4");
+}
+
+TEST(RemoveTraces, nothingIsLeftOfBordersInsideTheOtherOperand) {
+  // B is a strip cut in two along a border that cancels only after noding, for one side has a vertex more. A lies
+  // inside the strip and across the border: the intersection is A, to the bit.
+  generators::Random random(1);
+  for (int round = 0; round < 300; ++round) {
+    const auto number = [&](double low, double high) { return random.in(low, high); };
+    const Point top{number(4, 6), 20}, bottom{number(4, 6), -20}, left{-30, 0}, right{40, 0}, tip{top.x, 25};
+    RegionSet a, b;
+    a.points = {{number(0, 1), number(0, 1)},
+                {number(9, 10), number(0, 1)},
+                {number(9, 10), number(9, 10)},
+                {number(0, 1), number(9, 10)}};
+    a.contour_ends = {4};
+    b.points = {left,   {left.x, -20},  bottom,        top, {left.x, 20},  // west of the border
+                bottom, {right.x, -20}, {right.x, 25}, tip, top};          // east of it
+    b.contour_ends = {5, 10};
+    const RegionSet result = overlay(a, b, Operation::intersection);
+    ASSERT_EQ(result, unite(a)) << round;
+  }
+}
+
+}  // namespace
+}  // namespace oblast
