@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace oblast::test {
 
@@ -18,7 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // The child's output goes to files: nothing can block, whatever it says.
-ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, bool interrupt) {
+enum class Interrupt { never, while_reading, while_working };
+
+ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, Interrupt interrupt) {
   std::signal(SIGPIPE, SIG_IGN);
   const Folder folder;
   int feed[2];
@@ -44,13 +48,15 @@ ProgramRun start(const std::vector<std::string>& arguments, const std::string& i
     if (written <= 0) break;  // the program did not want it
     at += static_cast<std::size_t>(written);
   }
-  if (interrupt)
-    ::kill(child, SIGINT);
-  else
-    ::close(feed[1]);
+  if (interrupt == Interrupt::while_reading) ::kill(child, SIGINT);
   int status = 0;
-  ::waitpid(child, &status, 0);
-  if (interrupt) ::close(feed[1]);
+  if (interrupt == Interrupt::while_reading) ::waitpid(child, &status, 0);
+  ::close(feed[1]);
+  if (interrupt == Interrupt::while_working) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ::kill(child, SIGINT);
+  }
+  if (interrupt != Interrupt::while_reading) ::waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder / "out"), read_file(folder / "err")};
 }
 
@@ -75,11 +81,15 @@ std::vector<std::string> Folder::names() const {
 }
 
 ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input) {
-  return start(arguments, input, false);
+  return start(arguments, input, Interrupt::never);
 }
 
 ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input) {
-  return start(arguments, input, true);
+  return start(arguments, input, Interrupt::while_reading);
+}
+
+ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments, const std::string& input) {
+  return start(arguments, input, Interrupt::while_working);
 }
 
 std::string read_file(const fs::path& path) {

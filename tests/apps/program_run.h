@@ -36,6 +36,9 @@ ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::
 /// Feeds `input` without ending it, and when the program has read most of it, sends SIGINT.
 ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input);
 
+/// Feeds all of `input` and a moment later, when the program is at work on it, sends SIGINT.
+ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments, const std::string& input);
+
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);
 
