@@ -66,6 +66,22 @@ TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldPassOverAVertex) {
   expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), "0 0, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6");
 }
 
+// Disabled: remove_traces looks for pairs whose boxes meet, but find_pairs promises only edges that meet, and among
+// clipped edges does not visit the pair. The straight edge then passes over the ring unnoticed.
+TEST(RemoveTraces, DISABLED_keepsThemOverASmallRingAmongManyLongEdges) {
+  // As above, but a bundle of slivers beside it, parallel to the straight edge, makes the search clip edges and
+  // cut along them: such a cut parts the small ring from the straight edge.
+  Rings rings = rings_of("0 0, 4 1, 8 4, 0 4 | 4 1.75, 4.125 1.75, 4.125 1.875", {1});
+  for (int i = -400; i < 400; ++i) {
+    const double c = i / 256.0;
+    rings.points.insert(rings.points.end(), {{9, 4.5 + c}, {73, 36.5 + c}, {73, 36.501 + c}});
+    rings.ends.push_back(static_cast<std::uint32_t>(rings.points.size()));
+  }
+  rings.flags.resize(rings.points.size(), 0);
+  const Rings result = remove_traces(rings, CollinearVertices::keep);
+  EXPECT_EQ(result.points, rings.points);
+}
+
 TEST(RemoveTraces, givesBackOnlyWhatIsInTheWay) {
   // Two edges with a trace each; only one of them has something between.
   const Rings rings = rings_of("0 0, 4 1, 8 4, 5 5, 0 8 | 4 1.5, 4 3.5, 3 3.5", {1, 3});
