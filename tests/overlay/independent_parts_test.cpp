@@ -130,8 +130,9 @@ TEST(IndependentParts, boxesThatTouchAreOnePart) {
   std::vector<Path> paths;
   for (int row = 0; row < 150; ++row)
     for (int i = 0; i < 10; ++i) {
-      const double y = 20.0 * row + (row % 2 ? i : 0);
-      paths.push_back(closed(box(i, y, i + 1, y + 1)));
+      const int at = row % 3 == 0 ? 9 - i : i;  // from either end
+      const double y = 20.0 * row + (row % 2 ? at : 0);
+      paths.push_back(closed(box(at, y, at + 1, y + 1)));
     }
   const Strands strands = strands_of(paths);
   const IndependentParts parts = parts_checked(strands);

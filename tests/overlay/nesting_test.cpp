@@ -123,6 +123,9 @@ TEST(Nesting, ofRingsThatTouch) {
   using Sizes = std::vector<std::size_t>;
   EXPECT_EQ(polygons_of({square, "2 0, 3 2, 1 2", Operation::difference}), (Sizes{2}));  // hole at the outer ring
   EXPECT_EQ(polygons_of({square, "1 1, 2 1, 2 2, 1 2 | 2 2, 3 2, 3 3, 2 3", Operation::difference}), (Sizes{3}));
+  // Two holes with one smallest vertex, a walk by themselves: what lies below the lower one counts.
+  EXPECT_EQ(polygons_of({square, "1 2, 3 2.5, 3 3 | 1 2, 3 1, 3 1.5", Operation::difference}), (Sizes{3}));
+  EXPECT_EQ(polygons_of({square, "1 2, 3 1, 3 1.5 | 1 2, 3 2.5, 3 3", Operation::difference}), (Sizes{3}));
   EXPECT_EQ(polygons_of({square, "4 4, 6 4, 6 6, 4 6", Operation::unite}), (Sizes{1, 1}));
   // Four squares around an empty one, corner to corner: no hole.
   EXPECT_EQ(polygons_of({"1 0, 2 1, 1 2, 0 1 | 3 0, 4 1, 3 2, 2 1 | 1 2, 2 3, 1 4, 0 3 | 3 2, 4 3, 3 4, 2 3", ""}),
