@@ -10,26 +10,33 @@ namespace {
 
 using testing::strands_of;
 
+EdgeCut cut(std::uint32_t edge, const Point& at) {
+  EdgeCut c{};
+  c.edge = edge;
+  c.at = at;
+  return c;
+}
+
 TEST(InsertCuts, putsVerticesInTheirEdges) {
   Strands strands = strands_of({{{0, 0}, {4, 0}, {4, 4}}, {{9, 9}, {8, 8}}}, {2, -1}, 7);
   strands.flags[1] = moved_flag | node_flag;
   strands.parity = {true, false};
-  const std::vector<EdgeCut> cuts = {{0, {1, 0}}, {0, {3, 0}}, {3, {8.5, 8.5}}};
-  const Strands cut = insert_cuts(strands, cuts);
-  EXPECT_EQ(cut.points, (std::vector<Point>{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {9, 9}, {8.5, 8.5}, {8, 8}}));
-  EXPECT_EQ(cut.ends, (std::vector<std::uint32_t>{5, 8}));
+  const std::vector<EdgeCut> cuts = {cut(0, {1, 0}), cut(0, {3, 0}), cut(3, {8.5, 8.5})};
+  const Strands pieces = insert_cuts(strands, cuts);
+  EXPECT_EQ(pieces.points, (std::vector<Point>{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {9, 9}, {8.5, 8.5}, {8, 8}}));
+  EXPECT_EQ(pieces.ends, (std::vector<std::uint32_t>{5, 8}));
   constexpr std::uint8_t added = node_flag | added_flag | moved_flag;
   // Only pieces of cut edges are moved; the old mark of the second edge is gone, its node is not.
-  EXPECT_EQ(cut.flags, (std::vector<std::uint8_t>{moved_flag, added, added, node_flag, 0, moved_flag, added, 0}));
-  EXPECT_EQ(cut.origin, (std::vector<std::uint32_t>{0, 0, 0, 1, 2, 3, 3, 4}));
-  EXPECT_EQ(cut.change, strands.change);
-  EXPECT_EQ(cut.group, strands.group);
-  EXPECT_TRUE(cut.parity.a);
+  EXPECT_EQ(pieces.flags, (std::vector<std::uint8_t>{moved_flag, added, added, node_flag, 0, moved_flag, added, 0}));
+  EXPECT_EQ(pieces.origin, (std::vector<std::uint32_t>{0, 0, 0, 1, 2, 3, 3, 4}));
+  EXPECT_EQ(pieces.change, strands.change);
+  EXPECT_EQ(pieces.group, strands.group);
+  EXPECT_TRUE(pieces.parity.a);
 }
 
 TEST(InsertCuts, keepsTheOriginOfEarlierRounds) {
-  const Strands once = insert_cuts(strands_of({{{0, 0}, {1, 1}, {9, 1}}}), std::vector<EdgeCut>{{1, {5, 1}}});
-  const Strands twice = insert_cuts(once, std::vector<EdgeCut>{{1, {3, 1}}, {2, {7, 1}}});
+  const Strands once = insert_cuts(strands_of({{{0, 0}, {1, 1}, {9, 1}}}), std::vector<EdgeCut>{cut(1, {5, 1})});
+  const Strands twice = insert_cuts(once, std::vector<EdgeCut>{cut(1, {3, 1}), cut(2, {7, 1})});
   EXPECT_EQ(twice.points, (std::vector<Point>{{0, 0}, {1, 1}, {3, 1}, {5, 1}, {7, 1}, {9, 1}}));
   EXPECT_EQ(twice.origin, (std::vector<std::uint32_t>{0, 1, 1, 1, 1, 2}));
 }
