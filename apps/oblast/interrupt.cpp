@@ -38,6 +38,8 @@ void install_interrupt_handler() {
     sigaction(signal, nullptr, &old);
     if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays nohup
   }
+  // A file at its size limit is an error of writing like a full disk, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return flag; }

@@ -19,7 +19,7 @@ Strands insert_cuts(const Strands& strands, std::span<const EdgeCut> cuts) {
   const auto copy_range = [&](std::uint32_t begin, std::uint32_t end) {
     result.points.insert(result.points.end(), strands.points.begin() + begin, strands.points.begin() + end);
     for (std::uint32_t v = begin; v < end; ++v)
-      result.flags.push_back(static_cast<std::uint8_t>(strands.flags[v] & ~moved_flag));
+      result.flags.push_back(static_cast<std::uint8_t>(strands.flags[v] & ~(moved_flag | near_flag)));
     if (first_round) {
       result.origin.resize(result.origin.size() + (end - begin));
       std::iota(result.origin.end() - (end - begin), result.origin.end(), begin);
@@ -36,10 +36,11 @@ Strands insert_cuts(const Strands& strands, std::span<const EdgeCut> cuts) {
       const std::uint32_t edge = cuts[next_cut].edge;
       copy_range(copied, edge + 1);
       copied = edge + 1;
-      result.flags.back() |= moved_flag;
+      const auto moved = static_cast<std::uint8_t>((strands.flags[edge] & near_flag) != 0 ? moved_flag : 0);
+      result.flags.back() |= moved;
       for (; next_cut < cuts.size() && cuts[next_cut].edge == edge; ++next_cut) {
         result.points.push_back(cuts[next_cut].at);
-        result.flags.push_back(node_flag | added_flag | moved_flag);
+        result.flags.push_back(node_flag | added_flag | moved);
         result.origin.push_back(result.origin[result.origin.size() - 1]);
       }
     }

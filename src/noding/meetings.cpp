@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
+#include "noding/clearance.h"
 #include "noding/pair_finder.h"
 
 namespace oblast::noding {
@@ -58,23 +61,45 @@ double distance_from_line(const Point& p, Point a, Point b) {
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, Settling settling, std::vector<EdgeCut>& cuts)
-      : strands_(strands), settling_(settling), cuts_(cuts) {}
+  MeetingTest(Strands& strands, Settling settling, std::vector<EdgeCut>& cuts, Clearance* clearance)
+      : strands_(strands),
+        settling_(settling),
+        cuts_(cuts),
+        clearance_(clearance),
+        distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()) {}
 
-  /// Every edge of one run against every edge of the other whose boxes meet.
+  /// Every edge of one run against every edge of the other whose boxes meet. First, without branches, the edges of
+  /// each that reach into the box of the other: usually few.
   void test_runs(const RunPair& pair) {
     const auto& points = strands_.points;
-    const auto box_of = [&](std::uint32_t edge) { return Box::of(points[edge], points[edge + 1]); };
-    const Box q_box = Box::of(points[pair.first_q], points[pair.last_q]);
-    for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
+    if (pair.last_p - pair.first_p == 1 && pair.last_q - pair.first_q == 1) {
+      test_edges(pair.first_p, pair.first_q);
+      return;
+    }
+    const std::uint32_t in_q = edges_in(Box::of(points[pair.first_q], points[pair.last_q]), pair.first_p, pair.last_p);
+    const std::uint32_t in_p = edges_in(Box::of(points[pair.first_p], points[pair.last_p]), pair.first_q, pair.last_q);
+    for (std::uint32_t p = in_q; p != 0; p &= p - 1) {
+      const std::uint32_t i = pair.first_p + static_cast<std::uint32_t>(std::countr_zero(p));
       const Box box = box_of(i);
-      if (!box.meets(q_box)) continue;
-      for (std::uint32_t j = pair.first_q; j < pair.last_q; ++j)
+      for (std::uint32_t q = in_p; q != 0; q &= q - 1) {
+        const std::uint32_t j = pair.first_q + static_cast<std::uint32_t>(std::countr_zero(q));
         if (box.meets(box_of(j))) test_edges(i, j);
+      }
     }
   }
 
  private:
+  Box box_of(std::uint32_t edge) const { return Box::of(strands_.points[edge], strands_.points[edge + 1]); }
+
+  /// Bit k: edge first + k reaches into the box.
+  std::uint32_t edges_in(const Box& box, std::uint32_t first, std::uint32_t last) const {
+    static_assert(longest_run <= 32);
+    std::uint32_t found = 0;
+    for (std::uint32_t edge = first; edge < last; ++edge)
+      found |= static_cast<std::uint32_t>(box_of(edge).meets(box)) << (edge - first);
+    return found;
+  }
+
   //        d                 a, b: ends of edge i;  c, d: ends of edge j
   //   a ---+--- b            +: the meeting
   //        c
@@ -86,6 +111,7 @@ class MeetingTest {
       test_edges_with_common_end(i, j);
       return;
     }
+    if (clearance_ && test_clearly(i, j, a, b, c, d)) return;
     const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
     if (c_side * d_side > 0) return;
     if (c_side != 0 && d_side != 0) {
@@ -108,6 +134,36 @@ class MeetingTest {
     }
   }
 
+  /// True when the edges are separate or cross, clearly (clearance.h). A distance above the clearance is far above the
+  /// rounding of its computation.
+  bool test_clearly(std::uint32_t i, std::uint32_t j, const Point& a, const Point& b, const Point& c, const Point& d) {
+    const auto area = [](const Point& p, const Point& q, const Point& r) {
+      return (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
+    };
+    const auto length_bound = [](const Point& p, const Point& q) {
+      return std::fabs(q.x - p.x) + std::fabs(q.y - p.y);
+    };
+    const double ab = length_bound(a, b), near_ab = distance_ * ab;
+    const double c_area = area(a, b, c), d_area = area(a, b, d);
+    const bool ab_clear = std::fabs(c_area) > near_ab && std::fabs(d_area) > near_ab;
+    if (ab_clear && (c_area > 0) == (d_area > 0)) return true;
+    const double cd = length_bound(c, d), near_cd = distance_ * cd;
+    const double a_area = area(c, d, a), b_area = area(c, d, b);
+    const bool cd_clear = std::fabs(a_area) > near_cd && std::fabs(b_area) > near_cd;
+    if (cd_clear && (a_area > 0) == (b_area > 0)) return true;
+    if (!ab_clear || !cd_clear) {
+      clearance_->flag(i);
+      clearance_->flag(j);
+      return false;
+    }
+    // d - c, seen from the line (a, b): its length times the sine.
+    const auto sine = static_cast<float>(std::fabs(d_area - c_area) / (ab * cd) * (1 - 0x1p-20));
+    const Point x = exact::intersection_point(a, b, c, d);
+    cuts_.push_back({i, sine, x});
+    cuts_.push_back({j, sine, x});
+    return true;
+  }
+
   /// The edges meet at the common end, and elsewhere only if they overlap.
   void test_edges_with_common_end(std::uint32_t i, std::uint32_t j) {
     const auto& points = strands_.points;
@@ -117,6 +173,7 @@ class MeetingTest {
         if (!same_vertex(p, q)) {
           mark(p);
           mark(q);
+          if (clearance_) touch_clearly(i, j, points[p], points[i + i + 1 - p], points[j + j + 1 - q]);
         }
         // The ends that are not common.
         const std::uint32_t u = i + i + 1 - p, v = j + j + 1 - q;
@@ -160,7 +217,7 @@ class MeetingTest {
     for (const std::uint32_t v : {j, j + 1}) consider(v, i);
     if (vertex == no_vertex) return false;
     mark(vertex);
-    cuts_.push_back({edge, points[vertex]});
+    cuts_.push_back({edge, 0, points[vertex]});
     return true;
   }
 
@@ -180,7 +237,7 @@ class MeetingTest {
     else if (x == strands_.points[edge + 1])
       mark(edge + 1);
     else
-      cuts_.push_back({edge, x});
+      cuts_.push_back({edge, 0, x});
   }
 
   /// REQUIRES: p, the point of `vertex`, is collinear with the edge.
@@ -193,7 +250,7 @@ class MeetingTest {
       mark(other);
     } else if (in_box(p, a, b)) {
       mark(vertex);
-      cuts_.push_back({edge, p});
+      cuts_.push_back({edge, 0, p});
     }
   }
 
@@ -207,6 +264,18 @@ class MeetingTest {
     return strand_of(p) == strand_of(q);
   }
 
+  /// Leaves records of the common end p, which arrange() reads and drops.
+  void touch_clearly(std::uint32_t i, std::uint32_t j, const Point& p, const Point& u, const Point& v) {
+    const float sine = clearance_->sine_at(p, u, v);
+    if (sine == 0) {
+      clearance_->flag(i);
+      clearance_->flag(j);
+      return;
+    }
+    cuts_.push_back({i, sine, p});
+    cuts_.push_back({j, sine, p});
+  }
+
   void mark(std::uint32_t vertex) {
     const std::atomic_ref flags(strands_.flags[vertex]);
     if (!(flags.load(std::memory_order_relaxed) & node_flag)) flags.fetch_or(node_flag, std::memory_order_relaxed);
@@ -215,6 +284,8 @@ class MeetingTest {
   Strands& strands_;
   Settling settling_;
   std::vector<EdgeCut>& cuts_;
+  Clearance* clearance_;
+  double distance_;
 };
 
 /// Sorts the cuts of one edge along it, from a = points[edge] on, and drops repeated ones. Rounding is monotone, so the
@@ -226,7 +297,14 @@ EdgeCut* sort_along(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end
     if (p.at.y != q.at.y) return (p.at.y < q.at.y) == upward;
     return false;
   });
-  return std::unique(begin, end, [](const EdgeCut& p, const EdgeCut& q) { return p.at == q.at; });
+  EdgeCut* last = begin;
+  for (EdgeCut* cut = begin + 1; cut != end; ++cut) {
+    if (cut->at == last->at)
+      last->sine = std::min(last->sine, cut->sine);
+    else
+      *++last = *cut;
+  }
+  return last + 1;
 }
 
 /// Drops cuts at which the edge from a to b would turn back in x or y, as it might where cuts are at vertices beside
@@ -250,7 +328,8 @@ EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* 
 using CutLists = tbb::enumerable_thread_specific<std::vector<EdgeCut>>;
 
 /// All cuts in the order of the edges and along them, each once.
-std::vector<EdgeCut> arrange(const std::vector<Point>& points, const CutLists& found, Settling settling) {
+std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Settling settling, Clearance* clearance) {
+  const auto& points = strands.points;
   std::vector<std::uint32_t> ends(points.size() + 1, 0);  // by edge: of its cuts in `cuts`
   for (const auto& part : found)
     for (const EdgeCut& cut : part) ++ends[cut.edge + 1];
@@ -263,11 +342,19 @@ std::vector<EdgeCut> arrange(const std::vector<Point>& points, const CutLists& f
   constexpr std::size_t edges_a_task = 16384;
   const tbb::blocked_range<std::size_t> all(0, points.size(), edges_a_task);
   tbb::parallel_for(all, [&](const auto& range) {
+    auto strand = static_cast<std::size_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), range.begin()) -
+                                           strands.ends.begin());
     for (std::size_t e = range.begin(); e < range.end(); ++e) {
       EdgeCut *begin = cuts.data() + (e == 0 ? 0 : ends[e - 1]), *end = cuts.data() + ends[e];
       if (begin == end) continue;
-      EdgeCut* kept = sort_along(points[e], points[e + 1], begin, end);
-      if (settling.tolerance > 0) kept = keep_monotone(points[e], points[e + 1], begin, kept);
+      const Point &a = points[e], &b = points[e + 1];
+      EdgeCut* kept = sort_along(a, b, begin, end);
+      if (settling.tolerance > 0) kept = keep_monotone(a, b, begin, kept);
+      if (clearance) {
+        while (strands.ends[strand] <= e) ++strand;
+        clearance->look_along(strand, {begin, kept});
+        kept = std::remove_if(begin, kept, [&](const EdgeCut& cut) { return cut.at == a || cut.at == b; });
+      }
       for (; kept != end; ++kept) kept->edge = no_vertex;
     }
   });
@@ -278,15 +365,19 @@ std::vector<EdgeCut> arrange(const std::vector<Point>& points, const CutLists& f
 }  // namespace
 
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
-                                   const std::function<void()>& checkpoint) {
+                                   const std::function<void()>& checkpoint, Clearance* clearance) {
   CutLists found;
-  find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> pairs) {
+  const PairSearch search = find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    MeetingTest test(strands, settling, found.local());
+    MeetingTest test(strands, settling, found.local(), clearance);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   });
   if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.empty(); })) return {};
-  return arrange(strands.points, found, settling);
+  std::vector<EdgeCut> cuts = arrange(strands, found, settling, clearance);
+  // A search by clipped edges passes over edges that only come near each other.
+  if (!clearance || search == PairSearch::by_edges)
+    for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
+  return cuts;
 }
 
 }  // namespace oblast::noding

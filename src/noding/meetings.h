@@ -15,8 +15,11 @@ namespace oblast::noding {
 /// Edge `edge` is to be cut at `at`, which is none of its ends and lies in its box.
 struct EdgeCut {
   std::uint32_t edge;
+  float sine;  ///< at most that of the angle to the edge met there; 0 where that is not clear
   Point at;
 };
+
+class Clearance;
 
 /// How a round of noding settles a crossing.
 ///
@@ -43,8 +46,10 @@ struct Settling {
 /// both, the vertices are flagged as nodes; where they meet inside an edge, a cut is returned, and
 /// the vertex that lies there, if any, flagged. The cuts come sorted by edge and along it, each once: a
 /// function of the set of edges alone.
+/// Edges that may meet others anew once they are cut are flagged near_flag: with a `clearance` those that do not keep
+/// clear (REQUIRES: all runs of any_group, a first round), else all that are cut.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
-                                   const std::function<void()>& checkpoint = {});
+                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr);
 
 }  // namespace oblast::noding

@@ -3,8 +3,6 @@
 namespace oblast::noding {
 namespace {
 
-// Long runs have boxes that say little; short ones are many. Eight edges measured best.
-constexpr std::uint32_t longest_run = 8;
 constexpr Group settled_group = 1;
 
 /// The quadrant an edge points to, as bits that two edges of one run may not contradict each other in.
@@ -30,6 +28,7 @@ std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
   runs.reserve(strands.points.size() / 2 + 16);
   const auto& points = strands.points;
   const auto group_of = [&](std::size_t strand, std::uint32_t edge) {
+    if (grouping == Grouping::none) return any_group;
     if (grouping == Grouping::by_strand) return strands.group[strand];
     return (strands.flags[edge] & moved_flag) ? any_group : settled_group;
   };

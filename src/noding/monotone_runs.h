@@ -25,6 +25,9 @@ struct Box {
   }
 };
 
+/// Edges of a run at most: long ones have boxes that say little, short ones are many. Eight measured best.
+inline constexpr std::uint32_t longest_run = 8;
+
 struct Run {
   Box box;
   std::uint32_t first;  ///< first edge
@@ -35,6 +38,7 @@ struct Run {
 /// Which groups the runs of a round get.
 enum class Grouping {
   by_strand,  ///< first round: the group of the strand
+  none,       ///< first round: all may meet all
   by_moved,   ///< later rounds: pieces made by the last round may meet anything, all others are settled
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "noding/clearance.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
@@ -44,16 +45,28 @@ double displacement(const Strands& noded, const std::vector<Point>& input) {
   return static_cast<double>(largest);
 }
 
+/// Groups spare the search the pairs of edges of one contour, where contours are large. Small ones have few such pairs,
+/// and to look at them too makes the second round short (clearance.h).
+Grouping first_grouping(const Strands& strands) {
+  constexpr std::size_t small_strand = 32;
+  const bool ungrouped =
+      std::all_of(strands.group.begin(), strands.group.end(), [](Group group) { return group == any_group; });
+  return ungrouped || strands.points.size() <= small_strand * strands.size() ? Grouping::none : Grouping::by_strand;
+}
+
 }  // namespace
 
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint) {
   strands.flags.assign(strands.points.size(), 0);
   flag_closed_strands(strands);
   std::vector<Point> input;  // the vertices as given, once there were cuts
-  for (Grouping grouping = Grouping::by_strand;; grouping = Grouping::by_moved) {
+  Grouping grouping = first_grouping(strands);
+  for (;; grouping = Grouping::by_moved) {
     ++report.rounds;
+    Clearance clearance(strands);
     const std::vector<EdgeCut> cuts =
-        find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint);
+        find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint,
+                      grouping == Grouping::none ? &clearance : nullptr);
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

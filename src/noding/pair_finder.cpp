@@ -3,6 +3,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <memory>
 
@@ -48,12 +49,14 @@ bool one_group(std::span<const Entry> entries) {
 
 class Finder {
  public:
-  Finder(std::span<const Point> points, const PairVisitor& visit) : points_(points), visit_(visit) {}
+  Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal)
+      : points_(points), visit_(visit), goal_(goal) {}
 
-  void run(std::vector<Run> runs) {
+  PairSearch run(std::vector<Run> runs) {
     tbb::task_group tasks;
     split_in_parallel(std::move(runs), Cell{}, tasks);
     tasks.wait();
+    return clipped_ ? PairSearch::by_edges : PairSearch::by_boxes;
   }
 
  private:
@@ -64,12 +67,12 @@ class Finder {
 
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
-  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
+  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell) {
     if (entries.size() - begin <= (cell.clipped ? clipped_leaf_size : leaf_size)) return {};
     CellCut cut;
     if (!cell.clipped) {
       cut = best_axis_cut(tail(entries, begin));
-      if (cut.growth <= box_growth || entries.size() - begin <= bundle_size)
+      if (cut.growth <= box_growth || entries.size() - begin <= bundle_size || goal_ == PairGoal::boxes)
         return cut.growth <= largest_growth ? cut : CellCut{};
       clip_edges(entries, begin, cell);
     }
@@ -82,7 +85,7 @@ class Finder {
   }
 
   /// Runs to single edges, each with the box of its part in the cell.
-  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
+  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) {
     const std::vector<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
     entries.resize(begin);
     for (const Entry& run : runs) {
@@ -92,6 +95,7 @@ class Finder {
       }
     }
     cell.clipped = true;
+    clipped_.store(true, std::memory_order_relaxed);
   }
 
   bool clip_to(const Cell& cell, Entry& edge) const {
@@ -208,12 +212,14 @@ class Finder {
 
   std::span<const Point> points_;
   const PairVisitor& visit_;
+  PairGoal goal_;
+  std::atomic<bool> clipped_ = false;
 };
 
 }  // namespace
 
-void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit) {
-  Finder(points, visit).run(std::move(runs));
+PairSearch find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit, PairGoal goal) {
+  return Finder(points, visit, goal).run(std::move(runs));
 }
 
 }  // namespace oblast::noding

@@ -43,6 +43,7 @@ enum VertexFlag : std::uint8_t {
   added_flag = 2,   ///< put in by noding; not a vertex of the input
   moved_flag = 4,   ///< the edge that starts here is a piece that the last round made
   closed_flag = 8,  ///< first or last vertex of a closed strand
+  near_flag = 16,   ///< the edge that starts here does not keep clear of all others (clearance.h)
 };
 
 /// Edges of one group are known not to meet each other except where they follow one another.

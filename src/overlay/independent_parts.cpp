@@ -12,6 +12,8 @@ using noding::Box;
 using noding::Entry;
 using noding::Strands;
 
+constexpr std::uint32_t none = 0xffffffff;
+
 // Fewer vertices are not worth dividing; a batch of this many has its arrays in the second-level cache.
 constexpr std::size_t batch_vertices = 4000;
 constexpr std::size_t leaf_size = 12;
@@ -57,8 +59,17 @@ std::vector<Entry> boxes_of(const Strands& strands) {
 
 /// Connects boxes that meet: cells are cut in two, as in the search for meetings (pair_finder.h), until few boxes are
 /// left or all of a cell are known to be connected.
-Sets connect(std::vector<Entry> entries) {
+/// `order` becomes the strands in the order of the cells, so that neighbours in the plane are neighbours in memory.
+Sets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& order) {
   Sets sets(entries.size());
+  std::vector<bool> placed(entries.size(), false);
+  const auto leave = [&](std::size_t begin) {
+    for (std::size_t i = begin; i < entries.size(); ++i) {
+      if (!placed[entries[i].first]) order.push_back(entries[i].first);
+      placed[entries[i].first] = true;
+    }
+    entries.resize(begin);
+  };
   const std::size_t most_work = entries.size() * work_by_strand;
   std::size_t work = 0;
   std::vector<Entry> right;
@@ -71,20 +82,20 @@ Sets connect(std::vector<Entry> entries) {
     const bool connected = std::all_of(cell.begin(), cell.end(),
                                        [&](const Entry& e) { return sets.find(e.first) == sets.find(cell[0].first); });
     if (connected) {
-      entries.resize(begin);
+      leave(begin);
       continue;
     }
     if (cell.size() <= leaf_size) {
       for (std::size_t i = 0; i < cell.size(); ++i)
         for (std::size_t j = i + 1; j < cell.size(); ++j)
           if (cell[i].box.meets(cell[j].box)) sets.unite(cell[i].first, cell[j].first);
-      entries.resize(begin);
+      leave(begin);
       continue;
     }
     const noding::CellCut cut = noding::best_axis_cut(cell);
     if (cut.growth > largest_growth || work > most_work) {
       for (const Entry& e : cell) sets.unite(cell[0].first, e.first);
-      entries.resize(begin);
+      leave(begin);
       continue;
     }
     right.clear();
@@ -108,17 +119,20 @@ Sets connect(std::vector<Entry> entries) {
 IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   IndependentParts parts;
   const auto count = static_cast<std::uint32_t>(strands.size());
-  parts.strands.resize(count);
   if (strands.points.size() <= batch_vertices || count == 1) {
+    parts.strands.resize(count);
     std::iota(parts.strands.begin(), parts.strands.end(), 0U);
     parts.ends = {count};
     return parts;
   }
 
-  Sets sets = connect(boxes_of(strands));
+  std::vector<std::uint32_t> order;
+  order.reserve(count);
+  Sets sets = connect(boxes_of(strands), order);
   struct Part {
     std::uint32_t vertices = 0;
     bool a = false, b = false;
+    std::uint32_t batch = none;
   };
   std::vector<Part> part(count);  // by root
   for (std::uint32_t s = 0; s < count; ++s) {
@@ -128,34 +142,32 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     p.b |= strands.change[s].b != 0;
   }
 
-  constexpr std::uint32_t left_out = 0xffffffff;
-  std::vector<std::uint32_t> batch(count, left_out);  // by strand
-  std::uint32_t batches = 0;
+  // Small parts of one batch are taken as the strands come, not as they lie: far from each other, they do not disturb
+  // each other's sweeps.
+  std::vector<std::uint32_t> size;  // by batch: its strands
   std::size_t filled = batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
-    const std::uint32_t root = sets.find(s);
-    if (root != s) {
-      batch[s] = batch[root];
-      continue;
+    Part& p = part[sets.find(s)];
+    if ((needs.a && !p.a) || (needs.b && !p.b)) continue;
+    if (p.batch == none) {
+      if (filled >= batch_vertices) {
+        size.push_back(0);
+        filled = 0;
+      }
+      filled += p.vertices;
+      p.batch = static_cast<std::uint32_t>(size.size() - 1);
     }
-    if ((needs.a && !part[s].a) || (needs.b && !part[s].b)) continue;
-    if (filled >= batch_vertices) {
-      ++batches;
-      filled = 0;
-    }
-    filled += part[s].vertices;
-    batch[s] = batches - 1;
+    ++size[p.batch];
   }
 
-  parts.ends.assign(batches + 1, 0);
-  for (const std::uint32_t b : batch)
-    if (b != left_out) ++parts.ends[b + 1];
-  std::partial_sum(parts.ends.begin(), parts.ends.end(), parts.ends.begin());
+  parts.ends.resize(size.size());
+  std::exclusive_scan(size.begin(), size.end(), parts.ends.begin(), 0U);
+  parts.strands.resize(std::accumulate(size.begin(), size.end(), 0U));
   // ends[b] moves from the beginning of the batch to its end as the batch fills.
-  for (std::uint32_t s = 0; s < count; ++s)
-    if (batch[s] != left_out) parts.strands[parts.ends[batch[s]]++] = s;
-  parts.ends.pop_back();
-  parts.strands.resize(parts.ends.empty() ? 0 : parts.ends.back());
+  for (const std::uint32_t s : order) {
+    const std::uint32_t batch = part[sets.find(s)].batch;
+    if (batch != none) parts.strands[parts.ends[batch]++] = s;
+  }
   return parts;
 }
 

@@ -18,7 +18,7 @@
 namespace oblast {
 
 struct IndependentParts {
-  std::vector<std::uint32_t> strands;  ///< strands, batch by batch; within a batch in their order
+  std::vector<std::uint32_t> strands;  ///< batch by batch; of a batch in an order that keeps neighbours together
   std::vector<std::uint32_t> ends;     ///< by batch: past its last strand. A batch is one large part or several small
 
   std::size_t size() const { return ends.size(); }

@@ -154,10 +154,10 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
     parts = independent_parts(strands, {both || operation == Operation::difference, both});
   }
 
-  // 2 to 6, for all strands or part by part
-  const bool one_part = parts.size() == 1 && parts.strands.size() == strands.size();
-  if (one_part) return overlay_strands(std::move(strands), operation, options, control, statistics);
-  return overlay_parts(strands, parts, operation, options, control, statistics);
+  // 2 to 6, part by part
+  if (parts.size() != 1) return overlay_parts(strands, parts, operation, options, control, statistics);
+  if (strands.size() > 1) strands = batch_of(strands, parts, 0);
+  return overlay_strands(std::move(strands), operation, options, control, statistics);
 }
 
 }  // namespace oblast

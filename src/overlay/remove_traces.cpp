@@ -78,7 +78,7 @@ class ConflictFinder {
 
   /// By the index of the edge's first vertex in the rings.
   std::vector<std::uint32_t> run() {
-    noding::find_pairs(points_, runs(), [&](std::span<const noding::RunPair> pairs) {
+    const auto visit = [&](std::span<const noding::RunPair> pairs) {
       for (const noding::RunPair& pair : pairs) {
         for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
           const noding::Box box = box_of(i);
@@ -86,7 +86,9 @@ class ConflictFinder {
             if (box.meets(box_of(j))) test(i, j);
         }
       }
-    });
+    };
+    // What an edge passes over it need not meet.
+    noding::find_pairs(points_, runs(), visit, noding::PairGoal::boxes);
     std::vector<std::uint32_t> found;
     for (std::uint32_t e = 0; e < conflict_.size(); ++e)
       if (conflict_[e] || (is_straightened(e) && leaves_box(e))) found.push_back(s_.from[e]);

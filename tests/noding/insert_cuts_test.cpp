@@ -19,6 +19,7 @@ EdgeCut cut(std::uint32_t edge, const Point& at) {
 
 TEST(InsertCuts, putsVerticesInTheirEdges) {
   Strands strands = strands_of({{{0, 0}, {4, 0}, {4, 4}}, {{9, 9}, {8, 8}}}, {2, -1}, 7);
+  strands.flags[0] = near_flag;
   strands.flags[1] = moved_flag | node_flag;
   strands.parity = {true, false};
   const std::vector<EdgeCut> cuts = {cut(0, {1, 0}), cut(0, {3, 0}), cut(3, {8.5, 8.5})};
@@ -26,8 +27,10 @@ TEST(InsertCuts, putsVerticesInTheirEdges) {
   EXPECT_EQ(pieces.points, (std::vector<Point>{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {9, 9}, {8.5, 8.5}, {8, 8}}));
   EXPECT_EQ(pieces.ends, (std::vector<std::uint32_t>{5, 8}));
   constexpr std::uint8_t added = node_flag | added_flag | moved_flag;
-  // Only pieces of cut edges are moved; the old mark of the second edge is gone, its node is not.
-  EXPECT_EQ(pieces.flags, (std::vector<std::uint8_t>{moved_flag, added, added, node_flag, 0, moved_flag, added, 0}));
+  // Only pieces of the cut edge that is near others count as moved; the old mark of the second edge is gone, its node
+  // is not.
+  constexpr std::uint8_t clear = node_flag | added_flag;
+  EXPECT_EQ(pieces.flags, (std::vector<std::uint8_t>{moved_flag, added, added, node_flag, 0, 0, clear, 0}));
   EXPECT_EQ(pieces.origin, (std::vector<std::uint32_t>{0, 0, 0, 1, 2, 3, 3, 4}));
   EXPECT_EQ(pieces.change, strands.change);
   EXPECT_EQ(pieces.group, strands.group);

@@ -21,8 +21,10 @@ struct Rule {
   FillRule rule;
 };
 
-const Rule rules[] = {{"polygons", FillRule::polygons()},   {"atleast:2", FillRule::at_least(2)},
-                      {"nonzero", FillRule::nonzero()},     {"evenodd", FillRule::even_odd()},
+const Rule rules[] = {{"polygons", FillRule::polygons()},
+                      {"atleast:2", FillRule::at_least(2)},
+                      {"nonzero", FillRule::nonzero()},
+                      {"evenodd", FillRule::even_odd()},
                       {"positive", FillRule::positive()}};
 
 class Comparison {

@@ -1,0 +1,57 @@
+#include "noding/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oblast::noding {
+namespace {
+
+/// At most the distance of p from q, at least 0.7 times that.
+double short_distance(const Point& p, const Point& q) { return std::max(std::fabs(p.x - q.x), std::fabs(p.y - q.y)); }
+
+double length_bound(const Point& p) { return std::fabs(p.x) + std::fabs(p.y); }
+
+}  // namespace
+
+Clearance::Clearance(Strands& strands) : strands_(strands) {
+  double largest = 0;
+  for (const Point& p : strands.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  distance_ = std::ldexp(32.0, std::ilogb(std::max(largest, 0x1p-300)) - 52);
+}
+
+float Clearance::sine_at(const Point& p, const Point& u, const Point& v) const {
+  const Point out{u.x - p.x, u.y - p.y}, other{v.x - p.x, v.y - p.y};
+  const double shorter = std::min(short_distance(u, p), short_distance(v, p));
+  const double bound = length_bound(out) * length_bound(other);
+  // Both are above what the rounding of the products could make of nothing.
+  constexpr double safe = 0x1p-30;
+  if (out.x * other.x + out.y * other.y < -safe * bound) return shorter > distance_ ? 1.0F : 0.0F;
+  const double sine = std::fabs(out.x * other.y - out.y * other.x) / bound * (1 - 0x1p-18);
+  return sine > safe && shorter * sine > distance_ ? static_cast<float>(sine) : 0.0F;
+}
+
+void Clearance::look_along(std::size_t strand, std::span<const EdgeCut> cuts) {
+  const auto& points = strands_.points;
+  const std::uint32_t edge = cuts[0].edge, first = strands_.begin(strand), last = strands_.ends[strand] - 1;
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    const EdgeCut &p = cuts[k - 1], &q = cuts[k];
+    if (!(short_distance(p.at, q.at) * std::min<double>(p.sine, q.sine) > distance_)) return flag(edge);
+  }
+  // The cuts nearest to the ends, against the neighbours there.
+  const Point &a = points[edge], &b = points[edge + 1];
+  std::size_t begin = 0, end = cuts.size();
+  if (cuts[begin].at == a) ++begin;
+  if (begin < end && cuts[end - 1].at == b) --end;
+  if (begin == end) return;
+  const bool closed = (strands_.flags[first] & closed_flag) != 0;
+  if (edge > first || closed) {
+    const Point& before = points[edge > first ? edge - 1 : last - 1];
+    if (!(short_distance(a, cuts[begin].at) * sine_at(a, b, before) > distance_)) return flag(edge);
+  }
+  if (edge + 1 < last || closed) {
+    const Point& after = points[edge + 1 < last ? edge + 2 : first + 1];
+    if (!(short_distance(b, cuts[end - 1].at) * sine_at(b, a, after) > distance_)) return flag(edge);
+  }
+}
+
+}  // namespace oblast::noding

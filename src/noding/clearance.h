@@ -1,0 +1,53 @@
+// Clearance: edges that keep well clear of all others need no second look after rounding.
+//
+// Let u be the unit in the last place of the largest coordinate. A cut is the nearest double to a crossing, so
+// the pieces of an edge stay within u of it, and in its box. Suppose the round looked at every two edges whose boxes
+// meet and found of each two, with t = 32 u, one of these:
+//   - separate: one has both ends on one side of the other's line, further than t from it. Their pieces
+//     stay apart: t is more than twice u.
+//   - clear crossing: all four ends are further than t from the other's line. It lies at an angle; let s be
+//     the sine. On either edge the next cut, on either side, is at a distance l with l s > t. Pieces of e that begin
+//     beyond those cuts stay further than t - 2 u from f; the pieces next to the crossing end in it, and rounding
+//     turns them by less than 2 u / l < s / 16 each, too little for one to reach the other.
+//   - a common end v, where the edges go out at an angle of sine s. As above, with v for the crossing; where they go
+//     out more than a right angle apart, l > t alone is enough (s = 1).
+// Then no two pieces of theirs meet but in common ends. Of two edges that keep clear of each other in none of these
+// ways both are flagged (near_flag), and an edge whose own cuts are too near each other is. The next round looks at
+// pieces of flagged edges only, and at all that those may reach: usually next to nothing.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "noding/meetings.h"
+
+namespace oblast::noding {
+
+class Clearance {
+ public:
+  /// For a round that tests every two edges whose boxes meet. Flags edges of `strands`.
+  explicit Clearance(Strands& strands);
+
+  /// t.
+  double distance() const { return distance_; }
+
+  /// From several threads at once.
+  void flag(std::uint32_t edge) {
+    const std::atomic_ref flags(strands_.flags[edge]);
+    if (!(flags.load(std::memory_order_relaxed) & near_flag)) flags.fetch_or(near_flag, std::memory_order_relaxed);
+  }
+
+  /// Edges from p to u and from p to v: at most the sine, and 0 when they are not clear of each other there.
+  float sine_at(const Point& p, const Point& u, const Point& v) const;
+
+  /// Flags the edge when its cuts are too near each other or the edge's neighbours in its strand.
+  /// REQUIRES: cuts of one edge, sorted along it; those at its ends stand for common ends. Cost: linear.
+  void look_along(std::size_t strand, std::span<const EdgeCut> cuts);
+
+ private:
+  Strands& strands_;
+  double distance_;
+};
+
+}  // namespace oblast::noding
