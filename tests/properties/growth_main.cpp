@@ -1,0 +1,220 @@
+// Growth on adversarial families: time and memory of a union at n, 2n, 4n, 8n edges, per (n + k) log (n + k), against
+// the first. Each measurement has a process of its own, so that its peak memory is its own.
+//
+//   oblast_growth [--edges N] [--steps S] [FAMILY...]
+#include <fmt/format.h>
+#include <oblast/oblast.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "generators/random.h"
+
+namespace {
+
+using namespace oblast;
+using generators::Random;
+
+void add(RegionSet& s, const std::vector<Point>& ring) {
+  s.points.insert(s.points.end(), ring.begin(), ring.end());
+  s.contour_ends.push_back(static_cast<std::uint32_t>(s.points.size()));
+  s.polygon_ends.push_back(static_cast<std::uint32_t>(s.contour_ends.size()));
+}
+
+Point on_circle(double radius, double turns) {
+  const double angle = 2 * std::numbers::pi * turns;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Thin quadrilaterals side by side, a thousand times as long as all together are wide.
+RegionSet long_slabs(std::size_t edges) {
+  const std::size_t n = edges / 4;
+  RegionSet s;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double d = 3.0 * static_cast<double>(i) / static_cast<double>(n), w = 1.0 / static_cast<double>(n);
+    add(s, {{0, d}, {1000, 1000 + d}, {1000, 1000 + d + w}, {0, d + w}});
+  }
+  return s;
+}
+
+/// Triangles that each have an edge on the y axis, one above the other.
+RegionSet one_x(std::size_t edges) {
+  Random random(7);
+  RegionSet s;
+  for (std::size_t i = 0; i < edges / 3; ++i) {
+    const auto y = static_cast<double>(i);
+    add(s, {{0, y}, {random.in(1, 2), y + 0.5}, {0, y + 1}});
+  }
+  return s;
+}
+
+RegionSet copies(std::size_t edges) {
+  RegionSet s;
+  for (std::size_t i = 0; i < edges / 4; ++i) add(s, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  return s;
+}
+
+/// Triangles around one vertex.
+RegionSet fan(std::size_t edges) {
+  const std::size_t n = edges / 3;
+  RegionSet s;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double turn = static_cast<double>(i) / static_cast<double>(n);
+    add(s, {{0, 0}, on_circle(1, turn), on_circle(1, turn + 0.5 / static_cast<double>(n))});
+  }
+  return s;
+}
+
+RegionSet nested_squares(std::size_t edges) {
+  RegionSet s;
+  for (std::size_t i = 1; i <= edges / 4; ++i) {
+    const auto r = static_cast<double>(i);
+    add(s, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
+  }
+  return s;
+}
+
+/// A comb whose teeth enter another's from above.
+RegionSet combs(std::size_t edges) {
+  const std::size_t teeth = edges / 4;
+  std::vector<Point> comb{{0, -1}, {static_cast<double>(teeth), -1}};
+  for (std::size_t i = teeth; i-- > 0;) {
+    const auto x = static_cast<double>(i);
+    comb.push_back({x + 0.9, static_cast<double>(i % 7) * 0.01 + 50});
+    comb.push_back({x + 0.5, 0});
+  }
+  std::vector<Point> other;
+  for (const Point& p : comb) other.push_back({p.x + 0.13, 99.9 - p.y});
+  RegionSet s;
+  add(s, comb);
+  add(s, other);
+  return s;
+}
+
+/// A star of a tenth of the edges, and small triangles in and beside it.
+RegionSet huge_and_tiny(std::size_t edges) {
+  Random random(7);
+  const std::size_t n = edges * 9 / 30, m = edges / 20 * 2;
+  std::vector<Point> star;
+  for (std::size_t i = 0; i < m; ++i)
+    star.push_back(on_circle(i % 2 == 0 ? 990 : 1000, static_cast<double>(i) / static_cast<double>(m)));
+  RegionSet s;
+  add(s, star);
+  const double w = 800 / std::sqrt(static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = random.in(-1000, 1000), y = random.in(-1000, 1000);
+    add(s, {{x, y}, {x + w, y}, {x + w / 2, y + w}});
+  }
+  return s;
+}
+
+struct Family {
+  const char* name;
+  std::function<RegionSet(std::size_t)> make;
+};
+
+const Family families[] = {{"long_slabs", long_slabs},
+                           {"one_x", one_x},
+                           {"copies", copies},
+                           {"fan", fan},
+                           {"nested_squares", nested_squares},
+                           {"combs", combs},
+                           {"huge_and_tiny", huge_and_tiny}};
+
+struct Measured {
+  std::uint64_t edges = 0, intersections = 0;
+  double seconds = 0;
+  double bytes = 0;
+
+  double work() const { return static_cast<double>(edges + intersections); }
+  double time_per() const { return seconds / (work() * std::log2(work())); }
+  double memory_per() const { return bytes / work(); }
+};
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024;
+}
+
+/// The quickest of a few runs.
+Measured measure_here(const Family& family, std::size_t edges) {
+  const RegionSet regions = family.make(edges);
+  const double before = peak_bytes();
+  Measured measured;
+  measured.edges = regions.points.size();
+  measured.seconds = 1e30;
+  double all = 0;
+  for (int run = 0; run < 5 && (run == 0 || all < 2); ++run) {
+    Statistics statistics;
+    Options options;
+    options.threads = 1;
+    options.statistics = &statistics;
+    const auto begin = std::chrono::steady_clock::now();
+    const RegionSet result = unite(regions, options);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    all += seconds;
+    measured.seconds = std::min(measured.seconds, seconds);
+    measured.intersections = statistics.intersections;
+    if (run == 0) measured.bytes = peak_bytes() - before;
+  }
+  return measured;
+}
+
+Measured measure(const Family& family, std::size_t edges) {
+  int ends[2];
+  Measured measured;
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    measured = measure_here(family, edges);
+    _exit(write(ends[1], &measured, sizeof measured) == sizeof measured ? 0 : 1);
+  }
+  close(ends[1]);
+  const bool complete = read(ends[0], &measured, sizeof measured) == sizeof measured;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  if (!complete) throw std::runtime_error(fmt::format("{} at {} edges did not finish", family.name, edges));
+  return measured;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Growth of time and memory on adversarial families; both divided by what is promised.");
+  std::size_t edges = 100000;
+  int steps = 4;
+  std::vector<std::string> names;
+  app.add_option("--edges", edges, "of the smallest case")->capture_default_str();
+  app.add_option("--steps", steps, "each has twice the edges of the one before")->capture_default_str();
+  app.add_option("FAMILY", names, "only these");
+  CLI11_PARSE(app, argc, argv);
+  fmt::print("{:<16} {:>9} {:>10} {:>9} {:>7} {:>10} {:>7}\n", "family", "edges", "meetings", "seconds", "ratio", "MiB",
+             "ratio");
+  try {
+    for (const Family& family : families) {
+      if (!names.empty() && std::find(names.begin(), names.end(), family.name) == names.end()) continue;
+      Measured first;
+      for (int step = 0; step < steps; ++step) {
+        const Measured m = measure(family, edges << step);
+        if (step == 0) first = m;
+        fmt::print("{:<16} {:>9} {:>10} {:>9.3f} {:>7.2f} {:>10.1f} {:>7.2f}\n", family.name, m.edges, m.intersections,
+                   m.seconds, m.time_per() / first.time_per(), m.bytes / 0x1p20, m.memory_per() / first.memory_per());
+        std::fflush(stdout);
+      }
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
