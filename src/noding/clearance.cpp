@@ -43,7 +43,7 @@ void Clearance::look_along(std::size_t strand, std::span<const EdgeCut> cuts) {
   if (cuts[begin].at == a) ++begin;
   if (begin < end && cuts[end - 1].at == b) --end;
   if (begin == end) return;
-  const bool closed = (strands_.flags[first] & closed_flag) != 0;
+  const bool closed = (strands_.load_flags(first) & closed_flag) != 0;
   if (edge > first || closed) {
     const Point& before = points[edge > first ? edge - 1 : last - 1];
     if (!(short_distance(a, cuts[begin].at) * sine_at(a, b, before) > distance_)) return flag(edge);

@@ -16,7 +16,6 @@
 // pieces of flagged edges only, and at all that those may reach: usually next to nothing.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <span>
 
@@ -33,10 +32,7 @@ class Clearance {
   double distance() const { return distance_; }
 
   /// From several threads at once.
-  void flag(std::uint32_t edge) {
-    const std::atomic_ref flags(strands_.flags[edge]);
-    if (!(flags.load(std::memory_order_relaxed) & near_flag)) flags.fetch_or(near_flag, std::memory_order_relaxed);
-  }
+  void flag(std::uint32_t edge) { strands_.add_flag(edge, near_flag); }
 
   /// Edges from p to u and from p to v: at most the sine, and 0 when they are not clear of each other there.
   float sine_at(const Point& p, const Point& u, const Point& v) const;

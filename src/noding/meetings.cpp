@@ -6,7 +6,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -257,7 +256,7 @@ class MeetingTest {
   /// One index, or the first and the last vertex of one closed strand.
   bool same_vertex(std::uint32_t p, std::uint32_t q) const {
     if (p == q) return true;
-    if (!(strands_.flags[p] & strands_.flags[q] & closed_flag)) return false;
+    if (!(strands_.load_flags(p) & strands_.load_flags(q) & closed_flag)) return false;
     const auto strand_of = [&](std::uint32_t v) {
       return std::upper_bound(strands_.ends.begin(), strands_.ends.end(), v) - strands_.ends.begin();
     };
@@ -276,10 +275,7 @@ class MeetingTest {
     cuts_.push_back({j, sine, p});
   }
 
-  void mark(std::uint32_t vertex) {
-    const std::atomic_ref flags(strands_.flags[vertex]);
-    if (!(flags.load(std::memory_order_relaxed) & node_flag)) flags.fetch_or(node_flag, std::memory_order_relaxed);
-  }
+  void mark(std::uint32_t vertex) { strands_.add_flag(vertex, node_flag); }
 
   Strands& strands_;
   Settling settling_;

@@ -10,6 +10,7 @@
 
 #include <oblast/point.h>
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -59,6 +60,15 @@ struct Strands {
   std::vector<Winding> change;        ///< by strand
   std::vector<Group> group;           ///< by strand
   Parity parity;
+
+  /// A vertex's flags while other threads may set some; add_flag() is how they do.
+  std::uint8_t load_flags(std::uint32_t vertex) {
+    return std::atomic_ref(flags[vertex]).load(std::memory_order_relaxed);
+  }
+  void add_flag(std::uint32_t vertex, VertexFlag flag) {
+    const std::atomic_ref shared(flags[vertex]);
+    if (!(shared.load(std::memory_order_relaxed) & flag)) shared.fetch_or(flag, std::memory_order_relaxed);
+  }
 
   std::uint32_t begin(std::size_t strand) const { return strand == 0 ? 0 : ends[strand - 1]; }
   std::size_t size() const { return ends.size(); }
