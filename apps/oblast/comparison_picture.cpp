@@ -92,8 +92,9 @@ std::string draw(const std::vector<Row>& rows, const OperandPair& pair, Operatio
                  fmt::format("{} of A (blue, {} vertices) and B (orange, {} vertices) by every method", name(operation),
                              pair.a.regions.points.size(), pair.b.regions.points.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const io::Box box{gap + static_cast<double>(i % columns) * (panel_width + gap),
-                      header + caption + static_cast<double>(i / columns) * (panel_height + caption + gap), panel_width,
+    const std::size_t row = i / columns, column = i % columns;
+    const io::Box box{gap + static_cast<double>(column) * (panel_width + gap),
+                      header + caption + static_cast<double>(row) * (panel_height + caption + gap), panel_width,
                       panel_height};
     const io::Frame frame = io::fit(window, squeeze, box);
     std::string operands;

@@ -67,11 +67,12 @@ RegionSet Contours::to_region_set() const {
     std::uint32_t first = begin;
     while (first < end && flags[first] == 0) ++first;
     if (first == end) first = begin;
-    for (std::uint32_t i = 0; i <= end - begin; ++i) {
-      const std::uint32_t v = begin + (first - begin + i) % (end - begin);
+    const auto add = [&](std::uint32_t v) {
       strands.points.push_back(points_[v]);
       strands.flags.push_back(flags[v]);
-    }
+    };
+    for (std::uint32_t v = first; v < end; ++v) add(v);
+    for (std::uint32_t v = begin; v <= first; ++v) add(v);
     strands.close_strand({1, 0}, noding::any_group);
     begin = end;
   }

@@ -137,6 +137,7 @@ bool HalfPlaneClip::clip(std::uint32_t side) {
 
 /// One contour to the paths of it that lie left of the line.
 void HalfPlaneClip::split(std::uint32_t begin, std::uint32_t end, std::uint32_t side) {
+  if (begin == end) return;
   const std::uint32_t n = end - begin;
   sides_.resize(n);
   for (std::uint32_t i = 0; i < n; ++i) sides_[i] = side_of(vertices_[begin + i], side);
