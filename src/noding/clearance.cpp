@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "noding/largest_ulp.h"
+
 namespace oblast::noding {
 namespace {
 
@@ -14,9 +16,7 @@ double length_bound(const Point& p) { return std::fabs(p.x) + std::fabs(p.y); }
 }  // namespace
 
 Clearance::Clearance(Strands& strands) : strands_(strands) {
-  double largest = 0;
-  for (const Point& p : strands.points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  distance_ = std::ldexp(32.0, std::ilogb(std::max(largest, 0x1p-300)) - 52);
+  distance_ = 32 * ulp_of(largest_coordinate(strands.points));
 }
 
 float Clearance::sine_at(const Point& p, const Point& u, const Point& v) const {

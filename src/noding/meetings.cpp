@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "noding/clearance.h"
+#include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
 
 namespace oblast::noding {
@@ -35,12 +37,8 @@ double round_to_multiple(double value, double unit, double low, double high) {
   return std::clamp(in_domain(rounded) ? rounded + 0.0 : 0.0, low, high);
 }
 
-/// The unit in the last place of the largest coordinate.
-double largest_ulp(std::initializer_list<Point> points) {
-  double largest = 0;
-  for (const Point& p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  return std::ldexp(1.0, std::ilogb(largest) - 52);
-}
+/// The unit in the last place of the largest coordinate of two edges.
+double largest_ulp(const std::array<Point, 4>& ends) { return ulp_of(largest_coordinate(ends)); }
 
 /// x, where (a, b) and (c, d) cross, as a multiple of the unit in the boxes of both.
 Point round_further(const Point& x, const Point& a, const Point& b, const Point& c, const Point& d, double unit) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
@@ -63,10 +64,11 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   Grouping grouping = first_grouping(strands);
   for (;; grouping = Grouping::by_moved) {
     ++report.rounds;
-    Clearance clearance(strands);
+    std::optional<Clearance> clearance;
+    if (grouping == Grouping::none) clearance.emplace(strands);
     const std::vector<EdgeCut> cuts =
         find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint,
-                      grouping == Grouping::none ? &clearance : nullptr);
+                      clearance ? &*clearance : nullptr);
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

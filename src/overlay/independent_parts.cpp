@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "noding/cell_cut.h"
+#include "overlay/disjoint_sets.h"
 
 namespace oblast {
 namespace {
@@ -21,26 +22,6 @@ constexpr std::size_t leaf_size = 12;
 // boxes of the cell count as connected.
 constexpr double largest_growth = 1.4;
 constexpr std::size_t work_by_strand = 64;
-
-/// Disjoint sets, with path halving.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The smaller one becomes the root, so roots do not depend on the order of the calls.
-  void unite(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    if (i != j) parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The box of every strand, with the strand in `first`.
 std::vector<Entry> boxes_of(const Strands& strands) {
@@ -60,8 +41,8 @@ std::vector<Entry> boxes_of(const Strands& strands) {
 /// Connects boxes that meet: cells are cut in two, as in the search for meetings (pair_finder.h), until few boxes are
 /// left or all of a cell are known to be connected.
 /// `order` becomes the strands in the order of the cells, so that neighbours in the plane are neighbours in memory.
-Sets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& order) {
-  Sets sets(entries.size());
+DisjointSets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& order) {
+  DisjointSets sets(entries.size());
   std::vector<bool> placed(entries.size(), false);
   const auto leave = [&](std::size_t begin) {
     for (std::size_t i = begin; i < entries.size(); ++i) {
@@ -128,7 +109,7 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
 
   std::vector<std::uint32_t> order;
   order.reserve(count);
-  Sets sets = connect(boxes_of(strands), order);
+  DisjointSets sets = connect(boxes_of(strands), order);
   struct Part {
     std::uint32_t vertices = 0;
     bool a = false, b = false;

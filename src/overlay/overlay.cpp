@@ -2,8 +2,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "noding/largest_ulp.h"
 #include "overlay/pipeline.h"
 #include "overlay/validate.h"
 
@@ -15,16 +15,6 @@ void check_options(const Options& options) {
     if (rule->kind == FillRule::Kind::at_least && rule->depth < 1)
       throw Error(ErrorCode::bad_option, "at_least needs a depth of 1 or more");
   if (options.threads < 0) throw Error(ErrorCode::bad_option, "threads must be 0 (all cores) or more");
-}
-
-/// The unit in the last place of the largest coordinate.
-double largest_ulp(const RegionView& a, const RegionView* b) {
-  double largest = 0;
-  for (const RegionView* regions : {&a, b}) {
-    if (!regions) continue;
-    for (const Point& p : regions->points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-  }
-  return std::ldexp(1.0, std::ilogb(largest) - 52);
 }
 
 RegionSet run(const RegionView& a, const RegionView* b, Operation operation, const Options& options) {
@@ -51,7 +41,9 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
     statistics.output_contours = result.regions.contour_ends.size();
     statistics.output_vertices = result.regions.points.size();
     if (statistics.largest_displacement > 0)
-      statistics.largest_displacement_ulps = statistics.largest_displacement / largest_ulp(a, b);
+      statistics.largest_displacement_ulps =
+          statistics.largest_displacement /
+          noding::ulp_of(std::max(noding::largest_coordinate(a.points), b ? noding::largest_coordinate(b->points) : 0));
     *options.statistics = statistics;
   }
   return std::move(result.regions);

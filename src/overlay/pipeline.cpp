@@ -156,7 +156,9 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
 
   // 2 to 6, part by part
   if (parts.size() != 1) return overlay_parts(strands, parts, operation, options, control, statistics);
-  if (strands.size() > 1) strands = batch_of(strands, parts, 0);
+  // One batch of all strands as they are, as in every small call, is not copied.
+  if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
+    strands = batch_of(strands, parts, 0);
   return overlay_strands(std::move(strands), operation, options, control, statistics);
 }
 

@@ -1,15 +1,14 @@
 // Failures from outside: bad files, full disks and interrupts, each with its message, its exit code, the old output
 // untouched and no half file.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
 #include "apps/program_run.h"
 #include "generators/random.h"
+#include "support/full_disk.h"
 
 namespace oblast::test {
 namespace {
@@ -147,26 +146,6 @@ TEST(ExistingOutput, isKeptUnlessOverwriteIsSaid) {
     EXPECT_NE(oblast_program({"union", out, "-o", "-", "-q"}).out.find("1 1"), std::string::npos);
   }
 }
-
-/// While it lives, no file this process or its children write may grow beyond `bytes`: as on a full disk, writes fail.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
-    const rlimit limit{bytes, old_limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit old_limit_{};
-  void (*old_handler_)(int);
-};
 
 /// Triangles with about a million crossings: some seconds of work, and a result of many megabytes.
 std::string many_triangles(int count) {

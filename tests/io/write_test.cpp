@@ -1,36 +1,16 @@
 // Writing is all or nothing: what is refused beforehand, what is left behind after a failure.
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 
 #include "io/staged_output.h"
 #include "io_support.h"
+#include "support/full_disk.h"
 
 namespace oblast::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-// While it lives, no file of this process may grow beyond `bytes`: as on a full disk, writes fail.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
-    const rlimit limit{bytes, old_limit_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-
- private:
-  rlimit old_limit_{};
-  void (*old_handler_)(int) = nullptr;
-};
 
 const WriteOptions overwrite{Existing::overwrite, {}, {}};
 
@@ -65,7 +45,7 @@ TEST_P(Writing, FullDiskLeavesTheOldFileUntouched) {
   const RegionSet large = scattered(20000, 4);
   // From the first bytes to the last: the failure must be noticed wherever it happens.
   for (const rlim_t bytes : {1000, 100000, 180000, 500000}) {
-    const FullDisk disk(bytes);
+    const test::FullDisk disk(bytes);
     const std::string error = write_error(out(), large, overwrite);
     EXPECT_TRUE(mentions(error, {"cannot write", name()})) << bytes << ": " << error;
     EXPECT_EQ(names(), names_before);
@@ -80,7 +60,7 @@ TEST_P(Writing, LastBytesMissingAreNoticed) {
   fs::remove(out());
   for (const char* extension : {".shx", ".dbf", ".cpg"}) fs::remove(path(std::string("out") + extension));
   {
-    const FullDisk disk(size - 1);
+    const test::FullDisk disk(size - 1);
     EXPECT_NE(write_error(out(), regions), "");
     EXPECT_TRUE(names().empty()) << names().front();
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "exact/orientation.h"
+#include "overlay/disjoint_sets.h"
 
 namespace oblast::vatti {
 namespace {
@@ -24,25 +24,6 @@ struct Extent {
     add(e.high);
   }
   bool is_empty() const { return low.x > high.x; }
-};
-
-/// Which nodes chains connect: union by index, paths halved.
-class Components {
- public:
-  explicit Components(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t of(std::uint32_t node) {
-    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-    return node;
-  }
-  void join(std::uint32_t m, std::uint32_t n) {
-    m = of(m);
-    n = of(n);
-    parent_[std::max(m, n)] = std::min(m, n);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 /// Cells of an extent: columns [x0, x1), rows [y0, y1).
@@ -126,15 +107,15 @@ bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
 std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                                          std::vector<Winding>& right) {
   // Extents by component: a closed chain without nodes has one of its own, numbered behind the nodes.
-  Components components(graph.node_count());
+  DisjointSets components(graph.node_count());
   for (const std::uint32_t c : chains)
-    if (!graph.chains[c].is_loop()) components.join(graph.chains[c].from, graph.chains[c].to);
+    if (!graph.chains[c].is_loop()) components.unite(graph.chains[c].from, graph.chains[c].to);
   std::vector<Extent> extents(graph.node_count());
   Extent whole;
   for (const std::uint32_t c : chains) {
     const Chain& chain = graph.chains[c];
     if (chain.is_loop()) extents.emplace_back();
-    Extent& extent = chain.is_loop() ? extents.back() : extents[components.of(chain.from)];
+    Extent& extent = chain.is_loop() ? extents.back() : extents[components.find(chain.from)];
     for (std::uint32_t v = chain.first; v <= chain.last; ++v) extent.add(graph.point(v));
     whole.add(extent);
   }
