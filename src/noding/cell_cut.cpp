@@ -48,7 +48,8 @@ Sides divide_at_value(const Fragment& f, const Entry& entry, const CellCut& cut)
   const double from = x ? f.p.x : f.p.y, to = x ? f.q.x : f.q.y;
   if (from == to) return sides;
   const double t = (cut.at - from) / (to - from);
-  const double error = 4 * epsilon * (1 + (std::fabs(from) + std::fabs(cut.at)) / std::fabs(to - from));
+  const double error = 4 * epsilon * (1 + (std::fabs(from) + std::fabs(cut.at)) / std::fabs(to - from)) +
+                       cut.margin / std::fabs(to - from);
   const bool p_left = from < to;
   (p_left ? sides.left_box : sides.right_box) = part_of(f, 0, t + error, entry.box);
   (p_left ? sides.right_box : sides.left_box) = part_of(f, t - error, 1, entry.box);
@@ -66,9 +67,12 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
   const Box own = Box::of(a, b);
   const auto touches_elsewhere = [&](int side, const Point& p) { return side == 0 && !own.meets(Box::of(p, p)); };
   if (!touches_elsewhere(c_side, points[entry.first]) && !touches_elsewhere(d_side, points[entry.first + 1])) {
-    if (c_side >= 0 && d_side >= 0) sides.right = false;
-    if (c_side <= 0 && d_side <= 0) sides.left = false;
-    if (!sides.left || !sides.right) return sides;
+    sides.touches = c_side == 0 || d_side == 0;
+    if (cut.margin == 0 || sides.touches) {
+      if (c_side >= 0 && d_side >= 0) sides.right = false;
+      if (c_side <= 0 && d_side <= 0) sides.left = false;
+      if (!sides.left || !sides.right) return sides;
+    }
   }
 
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -77,7 +81,9 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
     return 8 * epsilon *
            (std::fabs(dx) * (std::fabs(p.y) + std::fabs(a.y)) + std::fabs(dy) * (std::fabs(p.x) + std::fabs(a.x)));
   };
-  const double p = distance(f.p), q = distance(f.q), error = std::max(error_at(f.p), error_at(f.q));
+  // Doubled areas over (a, b), as the margin's strip is: at least its width times the length.
+  const double strip = cut.margin * (std::fabs(dx) + std::fabs(dy));
+  const double p = distance(f.p), q = distance(f.q), error = std::max(error_at(f.p), error_at(f.q)) + strip;
   if (p > error && q > error) sides.right = false;
   if (p < -error && q < -error) sides.left = false;
   if (!sides.left || !sides.right || std::fabs(p - q) <= 4 * error) return sides;
@@ -129,7 +135,8 @@ class Sample {
 }  // namespace
 
 Sides divide_box(const Entry& entry, const CellCut& cut) {
-  return {low(entry.box, cut.kind) < cut.at, high(entry.box, cut.kind) >= cut.at, entry.box, entry.box};
+  return {low(entry.box, cut.kind) - cut.margin < cut.at, high(entry.box, cut.kind) + cut.margin >= cut.at, entry.box,
+          entry.box};
 }
 
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut) {
@@ -138,25 +145,26 @@ Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellC
   return divide_at_value(f, entry, cut);
 }
 
-CellCut best_axis_cut(std::span<const Entry> entries) {
+CellCut best_axis_cut(std::span<const Entry> entries, double margin) {
   const Sample sample(entries);
   CellCut best;
   for (const CutKind kind : {CutKind::at_x, CutKind::at_y}) {
     CellCut cut = sample.median_cut(kind);
+    cut.margin = margin;
     judge(cut, sample.span(), divide_box);
     if (cut.growth < best.growth) best = cut;
   }
   return best;
 }
 
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries) {
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, double margin) {
   const auto divide = [&](const Entry& e, const CellCut& c) { return divide_edge(points, e, c); };
   const Sample sample(entries);
-  CellCut best = best_axis_cut(entries);
+  CellCut best = best_axis_cut(entries, margin);
   constexpr double good = 1.15, acceptable = 1.5;
   for (std::size_t i = 0; i < sample_size; ++i) {
     if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
-    CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first};
+    CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin};
     judge(cut, sample.span(), divide);
     if (cut.growth < best.growth) best = cut;
   }

@@ -21,6 +21,7 @@ struct CellCut {
   CutKind kind = CutKind::at_x;
   double at = 0;           ///< for at_x and at_y
   std::uint32_t edge = 0;  ///< for along_edge
+  double margin = 0;       ///< what comes this near to the cut is on both sides of it
   /// Entries in both halves over entries in the cell, by a sample; infinite for a cut that does not help.
   double growth = std::numeric_limits<double>::infinity();
 };
@@ -29,18 +30,20 @@ struct CellCut {
 struct Sides {
   bool left = false, right = false;
   Box left_box, right_box;
+  bool touches = false;  ///< an edge kept from one side although it comes within the margin of it, in a vertex
 };
 
 /// By the whole box, which goes to either side unchanged.
 Sides divide_box(const Entry& entry, const CellCut& cut);
 
-/// For an entry of one edge: what lies on either side, clipped. Rounded outwards: nothing is lost.
+/// For an entry of one edge: what lies on either side, or within the margin of it, clipped. Rounded outwards: nothing
+/// is lost.
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut);
 
 /// The better median cut of the two axes, on a random sample of whole boxes.
-CellCut best_axis_cut(std::span<const Entry> entries);
+CellCut best_axis_cut(std::span<const Entry> entries, double margin = 0);
 
 /// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries);
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, double margin);
 
 }  // namespace oblast::noding

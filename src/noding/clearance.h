@@ -2,7 +2,7 @@
 //
 // Let u be the unit in the last place of the largest coordinate. A cut is the nearest double to a crossing, so
 // the pieces of an edge stay within u of it, and in its box. Suppose the round looked at every two edges whose boxes
-// meet and found of each two, with t = 32 u, one of these:
+// meet and that come within t = 32 u of each other, and found of each two one of these:
 //   - separate: one has both ends on one side of the other's line, further than t from it. Their pieces
 //     stay apart: t is more than twice u.
 //   - clear crossing: all four ends are further than t from the other's line. It lies at an angle; let s be
@@ -25,7 +25,7 @@ namespace oblast::noding {
 
 class Clearance {
  public:
-  /// For a round that tests every two edges whose boxes meet. Flags edges of `strands`.
+  /// For a round that tests every two edges that come within distance() of each other. Flags edges of `strands`.
   explicit Clearance(Strands& strands);
 
   /// t.

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
@@ -18,6 +19,7 @@
 #include "noding/clearance.h"
 #include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
+#include "noding/point_hash.h"
 
 namespace oblast::noding {
 namespace {
@@ -55,13 +57,36 @@ double distance_from_line(const Point& p, Point a, Point b) {
   return std::fabs(cross.estimate()) / std::hypot(b.x - a.x, b.y - a.y);
 }
 
+/// Remembers pairs of edges that were looked at a short while ago: cells that lie beside each other bring up the same
+/// ones. It forgets, so a pair may still be looked at again, which does no harm.
+class RecentPairs {
+ public:
+  /// False when the pair is remembered.
+  bool add(std::uint32_t i, std::uint32_t j) {
+    if (slots_.empty()) slots_.assign(slot_count, 0);
+    const std::uint64_t pair = static_cast<std::uint64_t>(std::min(i, j)) << 32 | std::max(i, j);
+    return std::exchange(slots_[mix(pair) % slot_count], pair) != pair;
+  }
+
+ private:
+  static constexpr std::size_t slot_count = 4096;
+  std::vector<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
+};
+
+/// What one thread found.
+struct Found {
+  std::vector<EdgeCut> cuts;
+  RecentPairs recent;
+};
+
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, Settling settling, std::vector<EdgeCut>& cuts, Clearance* clearance)
+  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance)
       : strands_(strands),
         settling_(settling),
-        cuts_(cuts),
+        cuts_(found.cuts),
+        recent_(found.recent),
         clearance_(clearance),
         distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()) {}
 
@@ -153,6 +178,7 @@ class MeetingTest {
       clearance_->flag(j);
       return false;
     }
+    if (!recent_.add(i, j)) return true;
     // d - c, seen from the line (a, b): its length times the sine.
     const auto sine = static_cast<float>(std::fabs(d_area - c_area) / (ab * cd) * (1 - 0x1p-20));
     const Point x = exact::intersection_point(a, b, c, d);
@@ -278,6 +304,7 @@ class MeetingTest {
   Strands& strands_;
   Settling settling_;
   std::vector<EdgeCut>& cuts_;
+  RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
 };
@@ -319,19 +346,19 @@ EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* 
   return kept;
 }
 
-using CutLists = tbb::enumerable_thread_specific<std::vector<EdgeCut>>;
+using CutLists = tbb::enumerable_thread_specific<Found>;
 
 /// All cuts in the order of the edges and along them, each once.
 std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Settling settling, Clearance* clearance) {
   const auto& points = strands.points;
   std::vector<std::uint32_t> ends(points.size() + 1, 0);  // by edge: of its cuts in `cuts`
   for (const auto& part : found)
-    for (const EdgeCut& cut : part) ++ends[cut.edge + 1];
+    for (const EdgeCut& cut : part.cuts) ++ends[cut.edge + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<EdgeCut> cuts(ends.back());
   // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
   for (const auto& part : found)
-    for (const EdgeCut& cut : part) cuts[ends[cut.edge]++] = cut;
+    for (const EdgeCut& cut : part.cuts) cuts[ends[cut.edge]++] = cut;
 
   constexpr std::size_t edges_a_task = 16384;
   const tbb::blocked_range<std::size_t> all(0, points.size(), edges_a_task);
@@ -361,15 +388,17 @@ std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Sett
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint, Clearance* clearance) {
   CutLists found;
-  const PairSearch search = find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> pairs) {
+  const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
     MeetingTest test(strands, settling, found.local(), clearance);
     for (const RunPair& pair : pairs) test.test_runs(pair);
-  });
-  if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.empty(); })) return {};
+  };
+  Nearness nearness;
+  if (clearance) nearness = {clearance->distance(), [&](std::uint32_t edge) { clearance->flag(edge); }};
+  find_pairs(strands.points, std::move(runs), visit, PairGoal::meetings, nearness);
+  if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.cuts.empty(); })) return {};
   std::vector<EdgeCut> cuts = arrange(strands, found, settling, clearance);
-  // A search by clipped edges passes over edges that only come near each other.
-  if (!clearance || search == PairSearch::by_edges)
+  if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
   return cuts;
 }

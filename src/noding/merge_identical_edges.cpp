@@ -9,6 +9,42 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
+/// Visits every edge with a hash that is the same for both directions.
+template <class Visit>
+void for_each_edge(const Strands& strands, const Visit& visit) {
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    std::uint64_t from = hash(strands.points[strands.begin(s)]);
+    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
+      const std::uint64_t to = hash(strands.points[e + 1]);
+      visit(e, mix(from + to));
+      from = to;
+    }
+  }
+}
+
+/// The edges that another edge may be identical to: those whose hash is shared by its last bits. Most are told apart by
+/// one look into a table small enough for a cache.
+std::vector<std::uint32_t> edges_with_shared_hash(const Strands& strands) {
+  constexpr std::size_t bits_an_edge = 16;
+  const std::size_t words = std::bit_ceil(strands.points.size() * bits_an_edge / 64 + 1);
+  std::vector<std::uint64_t> seen(words, 0), shared(words, 0);
+  const auto word_of = [&](std::uint64_t hash) { return (hash >> 6) & (words - 1); };
+  const auto bit_of = [](std::uint64_t hash) { return std::uint64_t{1} << (hash & 63); };
+  std::uint64_t any = 0;
+  for_each_edge(strands, [&](std::uint32_t, std::uint64_t hash) {
+    const std::uint64_t repeated = seen[word_of(hash)] & bit_of(hash);
+    seen[word_of(hash)] |= bit_of(hash);
+    any |= repeated;
+    if (repeated) shared[word_of(hash)] |= repeated;
+  });
+  std::vector<std::uint32_t> edges;
+  if (any == 0) return edges;
+  for_each_edge(strands, [&](std::uint32_t e, std::uint64_t hash) {
+    if (shared[word_of(hash)] & bit_of(hash)) edges.push_back(e);
+  });
+  return edges;
+}
+
 /// Links every edge to the first one with the same ends: an open-addressing table of edges.
 class EdgeTable {
  public:
@@ -18,7 +54,7 @@ class EdgeTable {
   /// The first edge with the ends of this one; the edge itself when it is new.
   std::uint32_t find_or_insert(std::uint32_t edge) {
     const Point &a = points_[edge], &b = points_[edge + 1];
-    for (std::uint64_t slot = noding::hash(a) + noding::hash(b);; ++slot) {
+    for (std::uint64_t slot = mix(hash(a) + hash(b)) >> 32;; ++slot) {
       std::uint32_t& entry = slots_[slot & mask_];
       if (entry == none) return entry = edge;
       const Point &c = points_[entry], &d = points_[entry + 1];
@@ -41,20 +77,19 @@ struct Merged {
 
 Strands merge_identical_edges(Strands strands) {
   const auto& points = strands.points;
-  EdgeTable table(points, points.size());
+  const std::vector<std::uint32_t> candidates = edges_with_shared_hash(strands);
+  EdgeTable table(points, candidates.size());
   std::vector<std::uint32_t> same;  // by edge, once there is a repeated one: the first edge with its ends
   std::vector<Winding> sums;        // by edge, for first edges that were repeated
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
-      const std::uint32_t first = table.find_or_insert(e);
-      if (first == e) continue;
-      if (same.empty()) {
-        same.assign(points.size(), none);
-        sums.assign(points.size(), Winding{});
-      }
-      same[first] = first;
-      same[e] = first;
+  for (const std::uint32_t e : candidates) {
+    const std::uint32_t first = table.find_or_insert(e);
+    if (first == e) continue;
+    if (same.empty()) {
+      same.assign(points.size(), none);
+      sums.assign(points.size(), Winding{});
     }
+    same[first] = first;
+    same[e] = first;
   }
   if (same.empty()) return strands;
 

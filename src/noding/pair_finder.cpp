@@ -3,7 +3,6 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <memory>
 
@@ -49,14 +48,13 @@ bool one_group(std::span<const Entry> entries) {
 
 class Finder {
  public:
-  Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal)
-      : points_(points), visit_(visit), goal_(goal) {}
+  Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal, const Nearness& nearness)
+      : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
 
-  PairSearch run(std::vector<Run> runs) {
+  void run(std::vector<Run> runs) {
     tbb::task_group tasks;
     split_in_parallel(std::move(runs), Cell{}, tasks);
     tasks.wait();
-    return clipped_ ? PairSearch::by_edges : PairSearch::by_boxes;
   }
 
  private:
@@ -71,12 +69,12 @@ class Finder {
     if (entries.size() - begin <= (cell.clipped ? clipped_leaf_size : leaf_size)) return {};
     CellCut cut;
     if (!cell.clipped) {
-      cut = best_axis_cut(tail(entries, begin));
+      cut = best_axis_cut(tail(entries, begin), nearness_.margin);
       if (cut.growth <= box_growth || entries.size() - begin <= bundle_size || goal_ == PairGoal::boxes)
         return cut.growth <= largest_growth ? cut : CellCut{};
       clip_edges(entries, begin, cell);
     }
-    cut = best_cut(points_, tail(entries, begin));
+    cut = best_cut(points_, tail(entries, begin), nearness_.margin);
     return cut.growth <= largest_growth ? cut : CellCut{};
   }
 
@@ -95,13 +93,12 @@ class Finder {
       }
     }
     cell.clipped = true;
-    clipped_.store(true, std::memory_order_relaxed);
   }
 
   bool clip_to(const Cell& cell, Entry& edge) const {
     const auto keep = [&](CutKind kind, double at, bool right) {
       if (at == infinity || at == -infinity) return true;
-      const Sides sides = divide_edge(points_, edge, {kind, at});
+      const Sides sides = divide_edge(points_, edge, {kind, at, 0, nearness_.margin});
       edge.box = right ? sides.right_box : sides.left_box;
       return right ? sides.right : sides.left;
     };
@@ -111,7 +108,10 @@ class Finder {
   }
 
   Sides divide(const Entry& entry, const CellCut& cut, const Cell& cell) const {
-    return cell.clipped ? divide_edge(points_, entry, cut) : divide_box(entry, cut);
+    if (!cell.clipped) return divide_box(entry, cut);
+    const Sides sides = divide_edge(points_, entry, cut);
+    if (sides.touches && nearness_.unsure) nearness_.unsure(entry.first);
+    return sides;
   }
 
   void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
@@ -152,7 +152,7 @@ class Finder {
       }
       const CellCut cut = choose_cut(entries, task.begin, task.cell);
       if (cut.growth == infinity) {
-        test_all(tail(entries, task.begin), batch, visit_);
+        test_all(tail(entries, task.begin), batch);
         entries.resize(task.begin);
         continue;
       }
@@ -175,7 +175,7 @@ class Finder {
 
   /// Tests every pair of a cell by a sweep along the axis on which the boxes spread more: of each box only those that
   /// begin before its end need a look.
-  static void test_all(std::span<Entry> entries, std::vector<RunPair>& batch, const PairVisitor& visit) {
+  void test_all(std::span<Entry> entries, std::vector<RunPair>& batch) const {
     double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity, x_sum = 0, y_sum = 0;
     for (const Entry& e : entries) {
       x_low = std::min(x_low, e.box.x0);
@@ -186,25 +186,27 @@ class Finder {
       y_sum += e.box.y1 - e.box.y0;
     }
     if (x_sum * (y_high - y_low) <= y_sum * (x_high - x_low))
-      sweep<&Box::x0, &Box::x1, &Box::y0, &Box::y1>(entries, batch, visit);
+      sweep<&Box::x0, &Box::x1, &Box::y0, &Box::y1>(entries, batch);
     else
-      sweep<&Box::y0, &Box::y1, &Box::x0, &Box::x1>(entries, batch, visit);
+      sweep<&Box::y0, &Box::y1, &Box::x0, &Box::x1>(entries, batch);
   }
 
   template <double Box::*begin, double Box::*end, double Box::*low, double Box::*high>
-  static void sweep(std::span<Entry> entries, std::vector<RunPair>& batch, const PairVisitor& visit) {
+  void sweep(std::span<Entry> entries, std::vector<RunPair>& batch) const {
+    const double margin = nearness_.margin;
     std::sort(entries.begin(), entries.end(),
               [](const Entry& p, const Entry& q) { return p.box.*begin < q.box.*begin; });
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Entry& p = entries[i];
-      for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= p.box.*end; ++j) {
+      const double reach = p.box.*end + margin, lowest = p.box.*low - margin, highest = p.box.*high + margin;
+      for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= reach; ++j) {
         const Entry& q = entries[j];
-        if (p.box.*low > q.box.*high || q.box.*low > p.box.*high) continue;
+        if (q.box.*high < lowest || q.box.*low > highest) continue;
         if (p.group == q.group && p.group != any_group) continue;
         batch.push_back({p.first, p.last, q.first, q.last});
       }
       if (batch.size() >= batch_size) {
-        visit(batch);
+        visit_(batch);
         batch.clear();
       }
     }
@@ -213,13 +215,14 @@ class Finder {
   std::span<const Point> points_;
   const PairVisitor& visit_;
   PairGoal goal_;
-  std::atomic<bool> clipped_ = false;
+  const Nearness& nearness_;
 };
 
 }  // namespace
 
-PairSearch find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit, PairGoal goal) {
-  return Finder(points, visit, goal).run(std::move(runs));
+void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit, PairGoal goal,
+                const Nearness& nearness) {
+  Finder(points, visit, goal, nearness).run(std::move(runs));
 }
 
 }  // namespace oblast::noding

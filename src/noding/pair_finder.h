@@ -30,16 +30,17 @@ struct RunPair {
 /// Called a batch at a time, from several threads at once.
 using PairVisitor = std::function<void(std::span<const RunPair>)>;
 
-/// How pairs were looked for.
-enum class PairSearch {
-  by_boxes,  ///< every two runs whose boxes meet were visited
-  by_edges,  ///< here and there by clipped edges: some runs that only come near each other were not
-};
-
 /// What a search is for.
 enum class PairGoal {
   meetings,  ///< edges that meet
   boxes,     ///< runs whose boxes meet: never by clipped edges, so slow where many long boxes overlap
+};
+
+/// For a search that is also to visit edges whose boxes meet and that come near each other.
+struct Nearness {
+  double margin = 0;  ///< how near
+  /// Told edges near which it may have missed others, since both touch one edge in a vertex; from several threads.
+  std::function<void(std::uint32_t)> unsure;
 };
 
 /// Visits, for every two edges of different runs that meet, a pair of runs that holds them, once or more often,
@@ -47,7 +48,7 @@ enum class PairGoal {
 /// visited where both meet a third one there, which is visited with each. Edge i is (points[i], points[i + 1]). Cost:
 /// O((n + k) log n) expected, for k pairs. Memory O(n). The runs are taken over: they are many, and rearranged as the
 /// search goes.
-PairSearch find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit,
-                      PairGoal goal = PairGoal::meetings);
+void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit,
+                PairGoal goal = PairGoal::meetings, const Nearness& nearness = {});
 
 }  // namespace oblast::noding

@@ -15,8 +15,11 @@ constexpr std::uint64_t mix(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
+/// The halves of a product of 128 bits, folded: every bit of x and of y reaches every bit.
 inline std::uint64_t hash(const Point& p) {
-  return mix(std::bit_cast<std::uint64_t>(p.x) + 0x9e3779b97f4a7c15ULL * mix(std::bit_cast<std::uint64_t>(p.y)));
+  const auto product = static_cast<unsigned __int128>(std::bit_cast<std::uint64_t>(p.x) ^ 0x9e3779b97f4a7c15ULL) *
+                       (std::bit_cast<std::uint64_t>(p.y) ^ 0xd1b54a32d192ed03ULL);
+  return static_cast<std::uint64_t>(product >> 64) ^ static_cast<std::uint64_t>(product);
 }
 
 }  // namespace oblast::noding

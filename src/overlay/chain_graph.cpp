@@ -1,9 +1,19 @@
+// Where a strand has a node it stops: its first vertex, its last, and every one flagged in between.
+//
+//   strand     s0 ------- s1 ------- s2          stops, numbered through all strands
+//              [ chain 0  ][ chain 1 ]           a chain runs from a stop to the next one of its strand
+//
+// Stops at one place are one node. They are brought together by sorting along a curve, so nodes that are near in the
+// plane are near in memory, which is what every later walk over the graph is quick by.
 #include "overlay/chain_graph.h"
 
-#include <algorithm>
-#include <bit>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
-#include "noding/point_hash.h"
+#include <algorithm>
+#include <atomic>
+
+#include "noding/curve_order.h"
 #include "overlay/angular_order.h"
 
 namespace oblast {
@@ -11,54 +21,27 @@ namespace {
 
 using noding::Strands;
 
-/// Open addressing over 32-bit ids; `Equal` compares an id stored before with the one looked for.
-class IdTable {
- public:
-  explicit IdTable(std::size_t most) : slots_(std::bit_ceil(most * 2 + 2), none), mask_(slots_.size() - 1) {}
+struct Stops {
+  std::vector<std::uint32_t> vertex;  ///< by stop
+  std::vector<std::uint32_t> chain;   ///< by stop: the chain that starts here; none at the end of a strand
+  std::vector<std::uint32_t> order;   ///< stops, node by node
+  std::vector<std::uint32_t> ends;    ///< by node: past its last stop in `order`
 
-  template <class Equal>
-  std::uint32_t find_or_insert(std::uint64_t hash, std::uint32_t id, const Equal& equal) {
-    for (;; ++hash) {
-      std::uint32_t& slot = slots_[hash & mask_];
-      if (slot == none) return slot = id;
-      if (equal(slot)) return slot;
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> slots_;
-  std::uint64_t mask_;
+  bool has_chain_before(std::uint32_t stop) const { return stop > 0 && chain[stop - 1] != none; }
+  bool has_chain_after(std::uint32_t stop) const { return chain[stop] != none; }
+  std::uint32_t degree(std::uint32_t stop) const { return has_chain_before(stop) + has_chain_after(stop); }
 };
 
-/// Gives each place where a flagged vertex lies one node.
-class NodeNumbering {
- public:
-  NodeNumbering(const Strands& strands, std::size_t flagged, std::vector<std::uint32_t>& node_vertex)
-      : points_(strands.points), node_vertex_(node_vertex), table_(flagged) {}
-
-  std::uint32_t node_at(std::uint32_t vertex) {
-    const std::uint32_t fresh = static_cast<std::uint32_t>(node_vertex_.size());
-    const std::uint32_t node = table_.find_or_insert(noding::hash(points_[vertex]), fresh, [&](std::uint32_t old) {
-      return points_[node_vertex_[old]] == points_[vertex];
-    });
-    if (node == fresh) node_vertex_.push_back(vertex);
-    return node;
-  }
-
- private:
-  const std::vector<Point>& points_;
-  std::vector<std::uint32_t>& node_vertex_;
-  IdTable table_;
-};
-
-/// Step 1: strands to chains.
-void cut_into_chains(ChainGraph& graph) {
+/// Step 1: strands to chains, whose nodes are still their stops.
+Stops cut_into_chains(ChainGraph& graph) {
   const Strands& strands = graph.strands;
   const auto is_node = [&](std::uint32_t v) { return (strands.flags[v] & noding::node_flag) != 0; };
   const auto flagged = static_cast<std::size_t>(std::count_if(
       strands.flags.begin(), strands.flags.end(), [](std::uint8_t f) { return (f & noding::node_flag) != 0; }));
+  Stops stops;
+  stops.vertex.reserve(flagged);
+  stops.chain.reserve(flagged);
   graph.chains.reserve(flagged + strands.size());
-  NodeNumbering nodes(strands, flagged, graph.node_vertex);
   const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t from, std::uint32_t to, Winding change) {
     graph.chains.push_back({first, last, from, to, static_cast<std::uint32_t>(graph.chains.size()), change});
   };
@@ -68,34 +51,55 @@ void cut_into_chains(ChainGraph& graph) {
       add(begin, last, none, none, strands.change[s]);
       continue;
     }
-    std::uint32_t first = begin, from = nodes.node_at(begin);
+    std::uint32_t first = begin;
     for (std::uint32_t v = begin + 1; v <= last; ++v) {
       if (!is_node(v)) continue;
-      const std::uint32_t to = nodes.node_at(v);
-      add(first, v, from, to, strands.change[s]);
+      const auto stop = static_cast<std::uint32_t>(stops.vertex.size());
+      stops.vertex.push_back(first);
+      stops.chain.push_back(static_cast<std::uint32_t>(graph.chains.size()));
+      add(first, v, stop, stop + 1, strands.change[s]);
       first = v;
-      from = to;
     }
+    stops.vertex.push_back(last);
+    stops.chain.push_back(none);
   }
+  return stops;
 }
 
-/// Step 2: chains of one edge with the same ends become one, with the sum of the changes. Longer chains
-/// cannot coincide: every vertex of theirs would be a node.
-void merge_coincident_chains(ChainGraph& graph) {
-  auto& chains = graph.chains;
-  IdTable table(chains.size());
-  for (std::uint32_t c = 0; c < chains.size(); ++c) {
-    Chain& chain = chains[c];
-    if (chain.is_loop() || chain.last - chain.first > 1) continue;
-    const std::uint64_t low = std::min(chain.from, chain.to), high = std::max(chain.from, chain.to);
-    const std::uint32_t same = table.find_or_insert(noding::mix(low << 32 | high), c, [&](std::uint32_t old) {
-      return std::min(chains[old].from, chains[old].to) == low && std::max(chains[old].from, chains[old].to) == high;
-    });
-    if (same == c) continue;
-    chain.merged_into = same;
-    const bool same_direction = chains[same].from == chain.from;
-    const Winding change = same_direction ? chain.change : -chain.change;
-    chains[same].change = graph.strands.parity.reduce(chains[same].change + change);
+/// Step 2: stops to nodes, and room for their lists.
+void number_nodes(ChainGraph& graph, Stops& stops) {
+  std::vector<Point> places(stops.vertex.size());
+  for (std::size_t k = 0; k < places.size(); ++k) places[k] = graph.point(stops.vertex[k]);
+  std::vector<noding::Keyed> order = noding::curve_order(places);
+  const auto in_order = [&](const noding::Keyed& p, const noding::Keyed& q) {
+    const Point &p_place = places[p.index], &q_place = places[q.index];
+    return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
+  };
+  std::vector<std::uint32_t> node_of(places.size());
+  stops.order.reserve(order.size());
+  std::uint32_t list_end = 0;
+  for (std::size_t first = 0, last; first < order.size(); first = last) {
+    for (last = first + 1; last < order.size() && order[last].key == order[first].key; ++last) continue;
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
+              in_order);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::uint32_t stop = order[i].index;
+      if (i == first || places[stop] != places[order[i - 1].index]) {
+        graph.node_vertex.push_back(stops.vertex[stop]);
+        graph.list_ends.push_back(list_end);
+        stops.ends.push_back(static_cast<std::uint32_t>(i));
+      }
+      list_end += stops.degree(stop);
+      graph.list_ends.back() = list_end;
+      stops.ends.back() = static_cast<std::uint32_t>(i + 1);
+      node_of[stop] = static_cast<std::uint32_t>(graph.node_vertex.size() - 1);
+      stops.order.push_back(stop);
+    }
+  }
+  for (Chain& chain : graph.chains) {
+    if (chain.is_loop()) continue;
+    chain.from = node_of[chain.from];
+    chain.to = node_of[chain.to];
   }
 }
 
@@ -105,36 +109,64 @@ struct Aimed {
   Descriptor descriptor;
 };
 
-/// Step 3: the connectivity lists L(x) of live chains, each sorted by angle.
-void build_connectivity_lists(ChainGraph& graph) {
-  auto& ends = graph.list_ends;
-  ends.assign(graph.node_count() + 1, 0);
-  const auto chain_count = static_cast<std::uint32_t>(graph.chains.size());
-  const auto for_each_live = [&](const auto& visit) {
-    for (std::uint32_t c = 0; c < chain_count; ++c)
-      if (!graph.chains[c].is_loop() && graph.is_live(c)) visit(c, graph.chains[c]);
-  };
-  for_each_live([&](std::uint32_t, const Chain& chain) {
-    ++ends[chain.from + 1];
-    ++ends[chain.to + 1];
-  });
-  for (std::size_t i = 1; i < ends.size(); ++i) ends[i] += ends[i - 1];
-  std::vector<Aimed> lists(ends.back());
-  // ends[node] moves from the beginning of the node's list to its end as the list fills.
-  for_each_live([&](std::uint32_t c, const Chain& chain) {
-    lists[ends[chain.from]++] = {graph.point(chain.first + 1), forward(c)};
-    lists[ends[chain.to]++] = {graph.point(chain.last - 1), opposite(forward(c))};
-  });
-  ends.pop_back();
-
-  for (std::uint32_t node = 0; node < graph.node_count(); ++node) {
-    const std::uint32_t begin = node == 0 ? 0 : ends[node - 1];
-    const Point& x = graph.point(graph.node_vertex[node]);
-    std::sort(lists.begin() + begin, lists.begin() + ends[node],
-              [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
+/// Descriptors with the same direction from a node are chains of one edge with the same ends: longer ones cannot
+/// coincide, since every vertex of theirs would be a node. They become one chain, with the sum of the changes.
+void merge_coincident_chains(ChainGraph& graph, std::span<const Aimed> coincident) {
+  const auto by_chain = [](const Aimed& p, const Aimed& q) { return p.descriptor < q.descriptor; };
+  const Descriptor kept = std::min_element(coincident.begin(), coincident.end(), by_chain)->descriptor;
+  Winding change;
+  for (const Aimed& aimed : coincident) {
+    change = change + graph.change(aimed.descriptor);
+    graph.chains[chain_of(aimed.descriptor)].merged_into = chain_of(kept);
   }
-  graph.lists.reserve(lists.size());
-  for (const Aimed& aimed : lists) graph.lists.push_back(aimed.descriptor);
+  graph.chains[chain_of(kept)].change = graph.strands.parity.reduce(is_backward(kept) ? -change : change);
+}
+
+void sort_by_angle(const Point& x, std::vector<Aimed>& list) {
+  std::sort(list.begin(), list.end(), [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
+}
+
+/// Step 3: the connectivity lists L(x), each sorted by angle. True when chains were merged.
+bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
+  graph.lists.resize(graph.list_ends.empty() ? 0 : graph.list_ends.back());
+  std::atomic<bool> merged = false;
+  constexpr std::size_t nodes_a_task = 4096;
+  const tbb::blocked_range<std::uint32_t> all(0, static_cast<std::uint32_t>(graph.node_count()), nodes_a_task);
+  tbb::parallel_for(all, [&](const auto& range) {
+    std::vector<Aimed> list;
+    for (std::uint32_t node = range.begin(); node < range.end(); ++node) {
+      list.clear();
+      for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
+        const std::uint32_t stop = stops.order[i], vertex = stops.vertex[stop];
+        if (stops.has_chain_before(stop))
+          list.push_back({graph.point(vertex - 1), opposite(forward(stops.chain[stop - 1]))});
+        if (stops.has_chain_after(stop)) list.push_back({graph.point(vertex + 1), forward(stops.chain[stop])});
+      }
+      sort_by_angle(graph.point(graph.node_vertex[node]), list);
+      std::uint32_t place = node == 0 ? 0 : graph.list_ends[node - 1];
+      for (const Aimed& aimed : list) graph.lists[place++] = aimed.descriptor;
+      for (std::size_t first = 0, last; first < list.size(); first = last) {
+        for (last = first + 1; last < list.size() && list[last].at == list[first].at; ++last) continue;
+        // Both ends see it; one of them does it.
+        if (last - first == 1 || graph.end_node(list[first].descriptor) < node) continue;
+        merge_coincident_chains(graph, std::span(list).subspan(first, last - first));
+        merged.store(true, std::memory_order_relaxed);
+      }
+    }
+  });
+  return merged;
+}
+
+/// Step 4: takes chains that are not live out of the lists.
+void drop_dead_chains(ChainGraph& graph) {
+  std::uint32_t kept = 0, begin = 0;
+  for (std::uint32_t& end : graph.list_ends) {
+    for (std::uint32_t i = begin; i < end; ++i)
+      if (graph.is_live(chain_of(graph.lists[i]))) graph.lists[kept++] = graph.lists[i];
+    begin = end;
+    end = kept;
+  }
+  graph.lists.resize(kept);
 }
 
 }  // namespace
@@ -142,9 +174,9 @@ void build_connectivity_lists(ChainGraph& graph) {
 ChainGraph build_chain_graph(Strands strands) {
   ChainGraph graph;
   graph.strands = std::move(strands);
-  cut_into_chains(graph);
-  merge_coincident_chains(graph);
-  build_connectivity_lists(graph);
+  Stops stops = cut_into_chains(graph);
+  number_nodes(graph, stops);
+  if (build_connectivity_lists(graph, stops)) drop_dead_chains(graph);
   return graph;
 }
 

@@ -1,5 +1,8 @@
 #include "overlay/link.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace oblast {
@@ -14,8 +17,11 @@ class Linker {
     find_successors();
     linked_.walk_of_chain.assign(graph_.chains.size(), none);
     if (convention_ == ContourConvention::ogc) place_on_path_.assign(graph_.node_count(), none);
+    // By node: walks that begin near each other in the plane have their chains near each other in memory.
+    for (const Descriptor d : graph_.lists)
+      if (leaves(d) && linked_.walk_of_chain[chain_of(d)] == none) collect(chain_of(d));
     for (std::uint32_t c = 0; c < selection_.size(); ++c)
-      if (selection_[c] != none && linked_.walk_of_chain[c] == none) collect(c);
+      if (selection_[c] != none && graph_.chains[c].is_loop()) collect(c);
     return std::move(linked_);
   }
 
@@ -26,16 +32,20 @@ class Linker {
   /// Jump, for all nodes at once: around a node selected chains arrive and leave in turn, and a walk that
   /// arrives leaves by the selected descriptor before it.
   void find_successors() {
-    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-      const auto list = graph_.list(node);
-      Descriptor leaving = none;
-      for (std::size_t i = list.size(); i-- > 0 && leaving == none;)
-        if (leaves(list[i])) leaving = list[i];
-      for (const Descriptor d : list) {
-        if (leaves(d)) leaving = d;
-        if (arrives(d)) next_[chain_of(d)] = leaving;
+    constexpr std::size_t nodes_a_task = 8192;
+    const tbb::blocked_range<std::uint32_t> all(0, static_cast<std::uint32_t>(graph_.node_count()), nodes_a_task);
+    tbb::parallel_for(all, [&](const auto& range) {
+      for (std::uint32_t node = range.begin(); node < range.end(); ++node) {
+        const auto list = graph_.list(node);
+        Descriptor leaving = none;
+        for (std::size_t i = list.size(); i-- > 0 && leaving == none;)
+          if (leaves(list[i])) leaving = list[i];
+        for (const Descriptor d : list) {
+          if (leaves(d)) leaving = d;
+          if (arrives(d)) next_[chain_of(d)] = leaving;
+        }
       }
-    }
+    });
   }
 
   /// Collect: one walk from a first chain until it closes.

@@ -18,9 +18,11 @@
 namespace oblast::leonov_nikitin {
 namespace {
 
+/// What is connected. Its labels are relative to the sector before the first descriptor of its first node.
 struct Component {
-  BelowQuery smallest;  ///< its smallest vertex, and the lower of the edges there
-  Winding outside;      ///< winding numbers of the sector outside it, relative to its first sector
+  std::uint32_t chain;   ///< a chain that its smallest vertex is on
+  std::uint32_t vertex;  ///< that vertex
+  Winding outside;       ///< winding numbers of the sector outside it
 };
 
 class Labelling {
@@ -29,55 +31,88 @@ class Labelling {
       : graph_(graph),
         right_(graph.chains.size()),
         component_of_(graph.chains.size(), none),
-        visited_(graph.node_count(), false) {}
+        component_of_node_(graph.node_count(), none) {}
 
   std::vector<Winding> run() {
-    const auto chain_count = static_cast<std::uint32_t>(graph_.chains.size());
-    for (std::uint32_t c = 0; c < chain_count; ++c) {
-      if (!graph_.is_live(c)) continue;
-      live_.push_back(c);
-      if (component_of_[c] == none) label_component(c);
-    }
+    label_chains();
+    find_smallest_vertices();
     settle_components();
     return std::move(right_);
   }
 
  private:
-  /// Steps 1 and 2, from a first chain whose right side is taken as zero.
-  void label_component(std::uint32_t first_chain) {
-    const auto component = static_cast<std::uint32_t>(components_.size());
-    const Chain& chain = graph_.chains[first_chain];
-    components_.push_back({{graph_.point(chain.first), graph_.point(chain.first + 1)}, {}});
-    visit_chain(first_chain, component, {});
-    if (chain.is_loop()) return;
-    pending_.push_back(forward(first_chain));
-    pending_.push_back(opposite(forward(first_chain)));
-    while (!pending_.empty()) {
-      const Descriptor known = pending_.back();
-      pending_.pop_back();
-      label_around(known, component);
+  /// Steps 1 and 2.
+  void label_chains() {
+    std::uint32_t component = 0;
+    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
+      if (component_of_node_[node] != none || graph_.list(node).empty()) continue;
+      component_of_node_[node] = component;
+      label_around(node, graph_.list(node)[0], {}, component);
+      while (!pending_.empty()) {
+        const Descriptor known = pending_.back();
+        pending_.pop_back();
+        const Winding right = right_[chain_of(known)];
+        label_around(graph_.start_node(known), known,
+                     is_backward(known) ? right + graph_.change(opposite(known)) : right, component);
+      }
+      ++component;
+    }
+    components_.resize(component, {none, none, {}});
+  }
+
+  /// Step 1: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Step 2:
+  /// on to nodes not seen yet.
+  void label_around(std::uint32_t node, Descriptor known, Winding sector, std::uint32_t component) {
+    const auto list = graph_.list(node);
+    const auto at = static_cast<std::size_t>(std::find(list.begin(), list.end(), known) - list.begin());
+    for (std::size_t i = at; i < at + list.size(); ++i) {
+      const Descriptor d = list[i < list.size() ? i : i - list.size()];
+      const Chain& chain = graph_.chains[chain_of(d)];
+      const Winding left = is_backward(d) ? sector - chain.change : sector + chain.change;
+      right_[chain_of(d)] = is_backward(d) ? left : sector;
+      sector = left;
+      const std::uint32_t other = is_backward(d) ? chain.from : chain.to;
+      if (component_of_node_[other] != none) continue;
+      component_of_node_[other] = component;
+      pending_.push_back(opposite(d));
     }
   }
 
-  /// Step 1: goes around the start node of a descriptor whose chain has its label.
-  void label_around(Descriptor known, std::uint32_t component) {
-    const std::uint32_t node = graph_.start_node(known);
-    if (visited_[node]) return;
-    visited_[node] = true;
-    const auto list = graph_.list(node);
-    const auto at = static_cast<std::size_t>(std::find(list.begin(), list.end(), known) - list.begin());
-    Winding sector = left_of(known);
-    for (std::size_t i = at + 1; i < at + list.size(); ++i) {
-      const Descriptor d = list[i % list.size()];
-      // The sector lies to the right of d as d leaves the node.
-      if (component_of_[chain_of(d)] == none) {
-        const Winding change = graph_.change(d);
-        visit_chain(chain_of(d), component, is_backward(d) ? sector + change : sector);
-        pending_.push_back(opposite(d));
-      }
-      sector = left_of(d);
+  /// Of each component, and of each contour that meets nothing, which is one by itself.
+  void find_smallest_vertices() {
+    const auto chain_count = static_cast<std::uint32_t>(graph_.chains.size());
+    for (std::uint32_t c = 0; c < chain_count; ++c) {
+      if (!graph_.is_live(c)) continue;
+      live_.push_back(c);
+      const Chain& chain = graph_.chains[c];
+      component_of_[c] =
+          chain.is_loop() ? static_cast<std::uint32_t>(components_.size()) : component_of_node_[chain.from];
+      if (chain.is_loop()) components_.push_back({c, chain.first, {}});
+      Component& component = components_[component_of_[c]];
+      for (std::uint32_t v = chain.first; v <= chain.last; ++v)
+        if (component.vertex == none || lexicographically_less(graph_.point(v), graph_.point(component.vertex)))
+          component = {c, v, {}};
     }
-    note_smallest_node(list, component);
+  }
+
+  /// The smallest vertex of a component with the lower of the edges there, and the sector outside it.
+  BelowQuery look_outside(Component& component) const {
+    const std::uint32_t v = component.vertex;
+    const Chain& chain = graph_.chains[component.chain];
+    const Winding right = right_[component.chain];
+    const Point& p = graph_.point(v);
+    if (!chain.is_loop() && (v == chain.first || v == chain.last)) {
+      // At a smallest node the outside follows the last descriptor (angular_order.h).
+      const auto list = graph_.list(v == chain.first ? chain.from : chain.to);
+      component.outside = left_of(list.back());
+      return {p, graph_.point(graph_.next_vertex(list.front()))};
+    }
+    const Point& before = graph_.point(v == chain.first ? chain.last - 1 : v - 1);
+    const Point& after = graph_.point(v + 1);
+    // A left turn at the smallest vertex has the outside on its right, and its second edge is the lower.
+    const bool left_turn = exact::orientation(before, p, after) > 0;
+    component.outside = left_turn ? right : right + chain.change;
+    return {p, left_turn ? after : before};
   }
 
   Winding left_of(Descriptor d) const {
@@ -85,41 +120,11 @@ class Labelling {
     return is_backward(d) ? right : right + graph_.change(d);
   }
 
-  /// Labels a chain, and looks whether the component's smallest vertex is inside it.
-  void visit_chain(std::uint32_t c, std::uint32_t component, Winding right) {
-    right_[c] = right;
-    component_of_[c] = component;
-    const Chain& chain = graph_.chains[c];
-    Component& found = components_[component];
-    std::uint32_t smallest = none;
-    const std::uint32_t begin = chain.is_loop() ? chain.first : chain.first + 1;
-    for (std::uint32_t v = begin; v < chain.last; ++v) {
-      const Point& best = smallest == none ? found.smallest.p : graph_.point(smallest);
-      if (lexicographically_less(graph_.point(v), best) || (smallest == none && graph_.point(v) == best)) smallest = v;
-    }
-    if (smallest == none) return;
-    const Point& p = graph_.point(smallest);
-    const Point& before = graph_.point(smallest == chain.first ? chain.last - 1 : smallest - 1);
-    const Point& after = graph_.point(smallest + 1);
-    const bool left_turn = exact::orientation(before, p, after) > 0;
-    // A left turn at the smallest vertex has the outside on its right, and its second edge is the lower.
-    found.smallest = {p, left_turn ? after : before};
-    found.outside = left_turn ? right : right + chain.change;
-  }
-
-  void note_smallest_node(std::span<const Descriptor> list, std::uint32_t component) {
-    Component& found = components_[component];
-    const Point& x = graph_.point(graph_.start_vertex(list[0]));
-    if (lexicographically_less(found.smallest.p, x)) return;
-    found.smallest = {x, graph_.point(graph_.next_vertex(list[0]))};
-    found.outside = left_of(list[list.size() - 1]);
-  }
-
   /// Step 3.
   void settle_components() {
     std::vector<BelowQuery> queries;
     queries.reserve(components_.size());
-    for (const Component& c : components_) queries.push_back(c.smallest);
+    for (Component& c : components_) queries.push_back(look_outside(c));
     const std::vector<Below> below = locate_below(graph_, live_, queries);
 
     std::vector<std::uint32_t> order(components_.size());
@@ -141,8 +146,8 @@ class Labelling {
 
   const ChainGraph& graph_;
   std::vector<Winding> right_;
-  std::vector<std::uint32_t> component_of_;
-  std::vector<bool> visited_;  ///< by node
+  std::vector<std::uint32_t> component_of_;  ///< by chain
+  std::vector<std::uint32_t> component_of_node_;
   std::vector<Component> components_;
   std::vector<std::uint32_t> live_;
   std::vector<Descriptor> pending_;
