@@ -59,20 +59,20 @@ Sides divide_at_value(const Fragment& f, const Entry& entry, const CellCut& cut)
 Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const Entry& entry, const CellCut& cut) {
   Sides sides{true, true, entry.box, entry.box};
   const Point &a = points[cut.edge], &b = points[cut.edge + 1];
-  const int c_side = exact::orientation(a, b, points[entry.first]);
-  const int d_side = exact::orientation(a, b, points[entry.first + 1]);
+  const Point &c = points[entry.first], &d = points[entry.first + 1];
+  const int c_side = exact::orientation(a, b, c), d_side = exact::orientation(a, b, d);
   if (c_side == 0 && d_side == 0) return sides;
   // An edge that only touches the line stays on one side, if it does so on the cut's own edge: whatever it
   // meets there, that edge meets too, and it is on both sides.
   const Box own = Box::of(a, b);
   const auto touches_elsewhere = [&](int side, const Point& p) { return side == 0 && !own.meets(Box::of(p, p)); };
-  if (!touches_elsewhere(c_side, points[entry.first]) && !touches_elsewhere(d_side, points[entry.first + 1])) {
-    sides.touches = c_side == 0 || d_side == 0;
-    if (cut.margin == 0 || sides.touches) {
-      if (c_side >= 0 && d_side >= 0) sides.right = false;
-      if (c_side <= 0 && d_side <= 0) sides.left = false;
-      if (!sides.left || !sides.right) return sides;
-    }
+  const auto touches_here = [&](int side, const Point& p) { return side == 0 && entry.box.meets(Box::of(p, p)); };
+  const bool touches = touches_here(c_side, c) || touches_here(d_side, d);
+  if (!touches_elsewhere(c_side, c) && !touches_elsewhere(d_side, d) && (cut.margin == 0 || touches)) {
+    if (c_side >= 0 && d_side >= 0) sides.right = false;
+    if (c_side <= 0 && d_side <= 0) sides.left = false;
+    sides.touches = touches && !(sides.left && sides.right);
+    if (!sides.left || !sides.right) return sides;
   }
 
   const double dx = b.x - a.x, dy = b.y - a.y;

@@ -62,7 +62,7 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   flag_closed_strands(strands);
   std::vector<Point> input;  // the vertices as given, once there were cuts
   Grouping grouping = first_grouping(strands);
-  for (;; grouping = Grouping::by_moved) {
+  for (bool moved = true; moved; grouping = Grouping::by_moved) {
     ++report.rounds;
     std::optional<Clearance> clearance;
     if (grouping == Grouping::none) clearance.emplace(strands);
@@ -72,8 +72,12 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);
-    if (input.empty()) input = std::move(strands.points);
+    if (input.empty() && report.measures_displacement) input = std::move(strands.points);
     strands = std::move(cut);
+    moved = std::any_of(strands.flags.begin(), strands.flags.end(),
+                        [](std::uint8_t flags) { return (flags & moved_flag) != 0; });
+    // Where no piece can reach another, the last round has found nothing without looking.
+    report.rounds += !moved;
   }
   if (!input.empty()) report.largest_displacement = displacement(strands, input);
   flag_strand_ends(strands);

@@ -15,7 +15,8 @@ namespace oblast::noding {
 struct NodingReport {
   std::uint64_t rounds = 0;
   std::uint64_t cuts = 0;           ///< cuts of edges, over all rounds
-  double largest_displacement = 0;  ///< of a cut point from the input edge it lies on, coordinate units
+  double largest_displacement = 0;  ///< of a cut point from the input edge it lies on, coordinate units; if measured
+  bool measures_displacement = true;
 };
 
 /// Asked before each round and between pieces of it, from any thread; may throw to cancel.

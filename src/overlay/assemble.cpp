@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <numeric>
@@ -20,6 +21,10 @@ class Rotation {
     const std::size_t v = start_ + i;
     return points_[v < end_ ? v : v - size()];
   }
+  void append_to(std::vector<Point>& points) const {
+    points.insert(points.end(), points_ + start_, points_ + end_);
+    points.insert(points.end(), points_ + begin_, points_ + start_);
+  }
   bool operator<(const Rotation& o) const {
     for (std::size_t i = 0; i < std::min(size(), o.size()); ++i)
       if ((*this)[i] != o[i]) return lexicographically_less((*this)[i], o[i]);
@@ -29,6 +34,13 @@ class Rotation {
  private:
   const Point* points_;
   std::uint32_t begin_, end_, start_;
+};
+
+/// A polygon with what it is ordered by.
+struct PolygonKey {
+  Point first;  ///< of its outer ring
+  std::uint32_t index;
+  std::uint32_t outer;  ///< that ring
 };
 
 Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
@@ -53,28 +65,37 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   rotations.reserve(rings.size());
   for (std::size_t r = 0; r < rings.size(); ++r) rotations.push_back(canonical_rotation(rings, r));
 
-  std::vector<std::uint32_t> outer_of(nesting.polygon_count);
-  for (std::uint32_t r = 0; r < rings.size(); ++r)
-    if (nesting.outer[r]) outer_of[nesting.polygon[r]] = r;
-  std::vector<std::uint32_t> order(rings.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t r, std::uint32_t s) {
-    const std::uint32_t p = nesting.polygon[r], q = nesting.polygon[s];
-    if (p != q) return rotations[outer_of[p]] < rotations[outer_of[q]];
-    if (nesting.outer[r] != nesting.outer[s]) return static_cast<bool>(nesting.outer[r]);
-    return rotations[r] < rotations[s];
+  // Polygons by their outer rings; the rings of each together, the outer one first.
+  std::vector<PolygonKey> polygons(nesting.polygon_count);
+  std::vector<std::uint32_t> ends(nesting.polygon_count + 1, 0);
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
+    ++ends[nesting.polygon[r] + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::uint32_t> members(rings.size());
+  for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
+  tbb::parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
+    return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
   });
 
   RegionSet result;
   result.points.reserve(rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Rotation& ring = rotations[order[i]];
-    for (std::size_t k = 0; k < ring.size(); ++k) result.points.push_back(ring[k]);
-    result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
-    if (i + 1 == order.size() || nesting.polygon[order[i + 1]] != nesting.polygon[order[i]])
-      result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
+  for (const PolygonKey& polygon : polygons) {
+    // ends[p] has moved from the beginning of the polygon's rings to their end.
+    const auto first = members.begin() + (polygon.index == 0 ? 0 : ends[polygon.index - 1]);
+    const auto last = members.begin() + ends[polygon.index];
+    if (last - first > 1)
+      std::sort(first, last, [&](std::uint32_t r, std::uint32_t s) {
+        return nesting.outer[r] != nesting.outer[s] ? static_cast<bool>(nesting.outer[r]) : rotations[r] < rotations[s];
+      });
+    for (auto r = first; r != last; ++r) {
+      rotations[*r].append_to(result.points);
+      result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
+    }
+    result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
   }
   return result;
 }

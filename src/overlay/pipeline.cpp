@@ -33,13 +33,14 @@ void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, 
   statistics.intersections += static_cast<std::uint64_t>(std::count(cut.begin(), cut.end(), true));
 }
 
-ChainGraph node_stage(noding::Strands strands, Control& control, Statistics& statistics) {
+ChainGraph node_stage(noding::Strands strands, const Options& options, Control& control, Statistics& statistics) {
   const StageClock clock(statistics, Stage::node);
   noding::NodingReport report;
+  report.measures_displacement = options.statistics != nullptr;
   const auto checkpoint = [&] { control.checkpoint(Stage::node, report.rounds == 0 ? 0.0 : 0.8); };
   noding::Strands noded = noding::node(noding::merge_identical_edges(std::move(strands)), report, checkpoint);
   ChainGraph graph = build_chain_graph(std::move(noded));
-  report_noding(report, graph, statistics);
+  if (options.statistics) report_noding(report, graph, statistics);
   return graph;
 }
 
@@ -64,7 +65,7 @@ PipelineResult finish(Rings rings, const Nesting& nesting, const Options& option
 PipelineResult overlay_strands(noding::Strands strands, Operation operation, const Options& options, Control& control,
                                Statistics& statistics) {
   // 2. node
-  const ChainGraph graph = node_stage(std::move(strands), control, statistics);
+  const ChainGraph graph = node_stage(std::move(strands), options, control, statistics);
 
   // 3 to 5 by triangles
   if (options.engine == Engine::skvortsov) {

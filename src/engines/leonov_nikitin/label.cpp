@@ -48,16 +48,27 @@ class Labelling {
       if (component_of_node_[node] != none || graph_.list(node).empty()) continue;
       component_of_node_[node] = component;
       label_around(node, graph_.list(node)[0], {}, component);
-      while (!pending_.empty()) {
-        const Descriptor known = pending_.back();
-        pending_.pop_back();
+      // First in, first out: what is at hand soon is known long enough before to be fetched.
+      for (std::size_t i = 0; i < pending_.size(); ++i) {
+        fetch_ahead(i);
+        const Descriptor known = pending_[i];
         const Winding right = right_[chain_of(known)];
         label_around(graph_.start_node(known), known,
                      is_backward(known) ? right + graph_.change(opposite(known)) : right, component);
       }
+      pending_.clear();
       ++component;
     }
     components_.resize(component, {none, none, {}});
+  }
+
+  void fetch_ahead(std::size_t i) const {
+    constexpr std::size_t chain_ahead = 12, node_ahead = 8, list_ahead = 4;
+    if (i + chain_ahead < pending_.size()) __builtin_prefetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
+    if (i + node_ahead < pending_.size())
+      __builtin_prefetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
+    if (i + list_ahead < pending_.size())
+      __builtin_prefetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
   }
 
   /// Step 1: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Step 2:
