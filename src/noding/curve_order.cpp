@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "memory/large_pages.h"
+
 namespace oblast::noding {
 namespace {
 
@@ -51,7 +53,7 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 /// Least significant digit first, 11 bits at a time.
 void radix_sort(std::span<Keyed> items, std::vector<Keyed>& buffer) {
   constexpr int digits = 3, bits = 11, radix = 1 << bits;
-  buffer.resize(items.size());
+  resize_in_large_pages(buffer, items.size());
   std::array<std::array<std::uint32_t, radix>, digits> starts{};
   for (const Keyed& k : items)
     for (int d = 0; d < digits; ++d) ++starts[d][(k.key >> (d * bits)) % radix];
@@ -69,7 +71,8 @@ void radix_sort(std::span<Keyed> items, std::vector<Keyed>& buffer) {
 
 class CurveSort {
  public:
-  explicit CurveSort(std::span<const Point> points) : points_(points), items_(points.size()) {
+  explicit CurveSort(std::span<const Point> points) : points_(points) {
+    resize_in_large_pages(items_, points.size());
     for (std::uint32_t i = 0; i < items_.size(); ++i) items_[i].index = i;
   }
 

@@ -6,6 +6,7 @@
 
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
+#include "memory/large_pages.h"
 #include "triangulation/locate.h"
 #include "triangulation/spatial_order.h"
 
@@ -19,12 +20,12 @@ class Insertion {
  public:
   explicit Insertion(std::span<const Point> given) : order_(spatial_order(given)) {
     // Gathered once: later each step would wait for memory.
-    mesh_.points.reserve(given.size());
+    reserve_in_large_pages(mesh_.points, given.size());
     for (const std::uint32_t index : order_) mesh_.points.push_back(given[index]);
   }
 
   Mesh run() {
-    mesh_.vertex_of.resize(order_.size());
+    resize_in_large_pages(mesh_.vertex_of, order_.size());
     if (first_triangle()) {
       for (std::uint32_t i = 3; i < order_.size(); ++i) insert(i);
     } else {
@@ -63,7 +64,7 @@ class Insertion {
 
   bool first_triangle() {
     if (!find_three()) return false;
-    mesh_.triangles.reserve(2 * order_.size());
+    reserve_in_large_pages(mesh_.triangles, 2 * order_.size());
     const std::uint32_t a = add_vertex(0), b = add_vertex(1), c = add_vertex(2);
     // Triangle 0, and the ghosts 1, 2, 3 beyond its sides 0, 1, 2.
     mesh_.triangles.push_back({{a, b, c}, 0, {half_edge(1, 0), half_edge(2, 0), half_edge(3, 0)}, 0});

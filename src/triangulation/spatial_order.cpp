@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "memory/large_pages.h"
 #include "noding/curve_order.h"
 
 namespace oblast::triangulation {
@@ -20,7 +21,7 @@ std::uint64_t mixed(std::uint64_t z) {
 constexpr int most_rounds = 16;
 
 /// 0 is the last round.
-int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index)) / 2, most_rounds - 1); }
+int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index)) / 3, most_rounds - 1); }
 
 }  // namespace
 

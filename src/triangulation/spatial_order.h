@@ -1,7 +1,7 @@
 // The order in which points are inserted: rounds of growing size, each along a Hilbert curve.
 //
 // Reference: N. Amenta, S. Choi, G. Rote, "Incremental Constructions con BRIO", 2003. A point is in the
-// last round with probability 3/4, in the one before with 3/16, and so on (drawn from a hash of its
+// last round with probability 7/8, in the one before with 7/64, and so on (drawn from a hash of its
 // index, so the order is the same on every machine). The random rounds keep the expected number of changes
 // linear whatever the distribution; the curve keeps the walk from one point to the next short.
 #pragma once
