@@ -1,7 +1,7 @@
 #include "support/check_mesh.h"
 
 #include <algorithm>
-#include <set>
+#include <numeric>
 #include <utility>
 
 #include "support/exact_signs.h"
@@ -74,14 +74,17 @@ Fault check_delaunay(const Mesh& m) {
 }
 
 Fault check_constraints(const Mesh& m, std::span<const Constraint> constraints) {
-  std::set<Side> wanted, found;
+  std::vector<Side> wanted, found;
   for (const Constraint& c : constraints) {
-    wanted.insert({c.from, c.to});
-    wanted.insert({c.to, c.from});
+    wanted.push_back({c.from, c.to});
+    wanted.push_back({c.to, c.from});
   }
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   for (std::uint32_t t = 0; t < m.triangles.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i)
-      if (m.is_constrained(half_edge(t, i))) found.insert({m.origin(half_edge(t, i)), m.target(half_edge(t, i))});
+      if (m.is_constrained(half_edge(t, i))) found.push_back({m.origin(half_edge(t, i)), m.target(half_edge(t, i))});
+  std::sort(found.begin(), found.end());
   if (found != wanted) return "the sides marked are not the constraints";
   return {};
 }
@@ -147,8 +150,13 @@ Fault check_mesh(const Mesh& mesh, std::span<const Constraint> constraints) {
 Fault check_triangulation(const Triangulation& t) {
   std::vector<Constraint> sides;
   const RegionView view = t.regions;
+  std::vector<std::uint32_t> by_place(t.points.size());
+  std::iota(by_place.begin(), by_place.end(), 0U);
+  std::sort(by_place.begin(), by_place.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(t.points[i], t.points[j]); });
   const auto number = [&](const Point& p) {
-    return static_cast<std::uint32_t>(std::find(t.points.begin(), t.points.end(), p) - t.points.begin());
+    return *std::lower_bound(by_place.begin(), by_place.end(), p,
+                             [&](std::uint32_t i, const Point& q) { return lexicographically_less(t.points[i], q); });
   };
   for (std::uint32_t c = 0; c < view.contour_count(); ++c) {
     const auto contour = view.contour(c);
