@@ -1,10 +1,11 @@
-// Exact predicates: doubles with an error bound first, exact rationals where they cannot decide.
+// Exact predicates: doubles with an error bound first, exact integers where they cannot decide.
 #include "verify/predicates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "verify/rational.h"
+#include "verify/scaled.h"
 
 namespace oblast::verify {
 namespace {
@@ -18,10 +19,9 @@ bool exact_difference(double p, double q, double d) {
   return p_back == p && q_back == q;
 }
 
-int side_by_rationals(const Point& a, const Point& b, const Point& c) {
-  const RationalPoint p(a), q(b), r(c);
-  const Rational determinant = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return determinant.sign();
+int side_by_integers(const Point& a, const Point& b, const Point& c) {
+  const Scale scale(std::array{a, b, c});
+  return determinant(scale(a), scale(b), scale(c)).sign();
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ int side_of_line(const Point& a, const Point& b, const Point& c) {
       exact_difference(c.y, a.y, acy) && std::fma(abx, acy, -left) == 0 && std::fma(aby, acx, -right) == 0) {
     return (left > right) - (left < right);
   }
-  return side_by_rationals(a, b, c);
+  return side_by_integers(a, b, c);
 }
 
 bool meet_badly(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -41,7 +41,6 @@ class StagedOutput {
  private:
   std::string target_;
   OutputFiles files_;
-  std::string folder_;
   std::string path_;
   UnfinishedOutput* unfinished_ = nullptr;
 };

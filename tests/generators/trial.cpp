@@ -9,7 +9,7 @@
 #include <cmath>
 #include <exception>
 
-#include "generators/random.h"
+#include "generators/recomputation.h"
 #include "verify/verify.h"
 
 namespace oblast::generators {
@@ -17,41 +17,6 @@ namespace {
 
 constexpr std::array operations{Operation::intersection, Operation::unite, Operation::difference,
                                 Operation::symmetric_difference};
-
-FillRule draw_rule(Random& random) {
-  switch (random.below(8)) {
-    case 0:
-      return FillRule::even_odd();
-    case 1:
-      return FillRule::nonzero();
-    case 2:
-      return FillRule::positive();
-    case 3:
-      return FillRule::negative();
-    case 4:
-      return FillRule::at_least(random.between(1, 3));
-    default:
-      return FillRule::polygons();
-  }
-}
-
-std::string to_text(const FillRule& rule) {
-  switch (rule.kind) {
-    case FillRule::Kind::polygons:
-      return "polygons";
-    case FillRule::Kind::at_least:
-      return "atleast:" + std::to_string(rule.depth);
-    case FillRule::Kind::even_odd:
-      return "evenodd";
-    case FillRule::Kind::nonzero:
-      return "nonzero";
-    case FillRule::Kind::positive:
-      return "positive";
-    case FillRule::Kind::negative:
-      return "negative";
-  }
-  return "";
-}
 
 Options options_of(const Request& request, Statistics* statistics) {
   Options options;
@@ -91,14 +56,16 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
 
   options.statistics = nullptr;
   if (request.other_threads) options.threads = 2;
-  const RegionSet a = shuffled(operands.a, request.fill_a, request.seed);
-  const RegionSet b = shuffled(operands.b, request.fill_b, request.seed + 1);
-  if (overlay(a, b, operation, options) != result) return broken(Broken::order_dependent, "shuffled operands");
+  RegionSet a = shuffled(operands.a, request.fill_a, request.seed);
+  RegionSet b = shuffled(operands.b, request.fill_b, request.seed + 1);
   if (operation != Operation::difference) {
     std::swap(options.fill_a, options.fill_b);
-    if (overlay(b, a, operation, options) != result) return broken(Broken::order_dependent, "exchanged operands");
-    std::swap(options.fill_a, options.fill_b);
+    std::swap(a, b);
   }
+  if (overlay(a, b, operation, options) != result)
+    return broken(Broken::order_dependent, "operands shuffled and, where that changes nothing, exchanged");
+  options.fill_a = request.fill_a;
+  options.fill_b = request.fill_b;
   if (request.other_engines) {
     for (const Engine engine : {Engine::vatti, Engine::skvortsov}) {
       options.engine = engine;
@@ -137,26 +104,6 @@ std::optional<Failure> check_areas(const std::array<RegionSet, 4>& results, cons
 
 }  // namespace
 
-Request draw_request(std::uint64_t seed) {
-  Random random(seed ^ 0x5eed5eed5eed5eedu);
-  Request request;
-  request.fill_a = draw_rule(random);
-  request.fill_b = random.one_in(3) ? draw_rule(random) : request.fill_a;
-  request.contours = random.one_in(3) ? ContourConvention::leonov_nikitin : ContourConvention::ogc;
-  request.collinear = random.one_in(6) ? CollinearVertices::drop : CollinearVertices::keep;
-  request.seed = random.next();
-  request.other_threads = random.one_in(16);
-  request.other_engines = random.one_in(4);
-  return request;
-}
-
-std::string to_text(const Request& request) {
-  return "fill_a=" + to_text(request.fill_a) + " fill_b=" + to_text(request.fill_b) +
-         (request.contours == ContourConvention::ogc ? " ogc" : " leonov_nikitin") +
-         (request.collinear == CollinearVertices::keep ? "" : " drop_collinear") +
-         (request.other_threads ? " threads=2" : "");
-}
-
 const char* to_text(Broken broken) {
   switch (broken) {
     case Broken::unverified:
@@ -171,6 +118,8 @@ const char* to_text(Broken broken) {
       return "engines differ";
     case Broken::area:
       return "areas contradict";
+    case Broken::wrong:
+      return "wrong";
   }
   return "";
 }
@@ -180,6 +129,11 @@ std::optional<Failure> run_trial(const Operands& operands, const Request& reques
   for (std::size_t i = 0; i < operations.size(); ++i) {
     try {
       if (auto failure = run_operation(operands, operations[i], request, figures, results[i])) return failure;
+      if (request.recompute && operations[i] == request.recomputed) {
+        if (auto what = recompute_result(operands, request, operations[i], results[i]))
+          return Failure{Broken::wrong, operations[i], *what};
+        if (auto what = recompute_arrangement(operands, request)) return Failure{Broken::wrong, operations[i], *what};
+      }
     } catch (const std::exception& e) {
       return Failure{Broken::threw, operations[i], e.what()};
     }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "generators/hostile.h"
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 #include "verify/predicates.h"
 #include "verify/text_regions.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "generators/hostile.h"
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 
 namespace oblast::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/random.h"
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 #include "verify/rational.h"
 
 namespace oblast::testing {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "generators/random.h"
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 #include "support/strands_of.h"
 #include "verify/predicates.h"
 

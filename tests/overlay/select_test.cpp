@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {

@@ -2,6 +2,8 @@
 //
 //   oblast_hostile --cases 100000            of every generator
 //   oblast_hostile --generator fans --first-seed 7 --cases 1     one case again
+//   oblast_hostile --cases 10000 --recompute --largest 16        the results recomputed by exact rationals
+//   oblast_hostile --cases 50000 --first-seed 50001 --markdown   a later slice, as rows of a table
 //
 // The exit code is 1 when a case failed; failing cases are shrunk and printed as WKT.
 #include <fmt/core.h>
@@ -32,13 +34,15 @@ struct Settings {
   int threads = 0;
   std::uint64_t show = 2;  // failures shown in full, by generator
   bool engines = false;
+  bool recompute = false;
+  bool markdown = false;
   double patience = 60;  // seconds
   std::string only;
 };
 
 struct Row {
   std::uint64_t cases = 0;
-  std::uint64_t failed[6] = {};
+  std::uint64_t failed[broken_count] = {};
   Figures figures;
 
   std::uint64_t failures() const {
@@ -48,14 +52,17 @@ struct Row {
   }
   void add(const Row& other) {
     cases += other.cases;
-    for (int i = 0; i < 6; ++i) failed[i] += other.failed[i];
+    for (int i = 0; i < broken_count; ++i) failed[i] += other.failed[i];
     figures.rounds = std::max(figures.rounds, other.figures.rounds);
     figures.displacement_ulps = std::max(figures.displacement_ulps, other.figures.displacement_ulps);
   }
 };
 
-int size_of_case(const Settings& settings, std::uint64_t seed) {
-  return Random(seed ^ 0x517eu).between(settings.smallest, settings.largest);
+// Small cases more often than large ones, by the square of a number drawn evenly.
+int size_of_case(const Settings& settings, const HostileGenerator& generator, std::uint64_t seed) {
+  const double drawn = Random(seed ^ 0x517eu).unit();
+  const int largest = std::min(settings.largest, generator.usual);
+  return settings.smallest + static_cast<int>(drawn * drawn * (largest - settings.smallest + 1));
 }
 
 std::mutex printing;
@@ -86,9 +93,10 @@ void run_case(const HostileGenerator& generator, std::uint64_t seed, const Setti
   ++row.cases;
   Request request = draw_request(seed);
   if (settings.engines) request.other_engines = true;
+  if (settings.recompute) request.recompute = true;
   request.patience = settings.patience;
   try {
-    const Operands operands = generator.make(seed, size_of_case(settings, seed));
+    const Operands operands = generator.make(seed, size_of_case(settings, generator, seed));
     const auto failure = run_trial(operands, request, row.figures);
     if (!failure) return;
     ++row.failed[static_cast<int>(failure->broken)];
@@ -119,11 +127,33 @@ Row run_generator(const HostileGenerator& generator, const Settings& settings) {
   return row;
 }
 
-void print_row(const char* name, const Row& row) {
-  fmt::print("{:<22} {:>9} {:>10} {:>14} {:>10} {:>10} {:>8} {:>6} {:>7} {:>9.2f}\n", name, row.cases, row.failed[0],
-             row.failed[1], row.failed[2], row.failed[3], row.failed[4], row.failed[5], row.figures.rounds,
-             row.figures.displacement_ulps);
+constexpr const char* columns[] = {"generator", "cases", "unverified", "non-idempotent", "order",    "exceptions",
+                                   "engines",   "areas", "wrong",      "most rounds",    "most ulps"};
+
+void print_line(const Settings& settings, const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (settings.markdown) {
+      line += (i == 0 ? "| " : " ") + cells[i] + " |";
+    } else {
+      line += i == 0 ? fmt::format("{:<22}", cells[i]) : fmt::format(" {:>14}", cells[i]);
+    }
+  }
+  fmt::print("{}\n", line);
   std::fflush(stdout);
+}
+
+void print_head(const Settings& settings) {
+  print_line(settings, {std::begin(columns), std::end(columns)});
+  if (settings.markdown) print_line(settings, std::vector<std::string>(std::size(columns), "---"));
+}
+
+void print_row(const Settings& settings, const char* name, const Row& row) {
+  std::vector<std::string> cells{name, std::to_string(row.cases)};
+  for (const std::uint64_t failed : row.failed) cells.push_back(std::to_string(failed));
+  cells.push_back(std::to_string(row.figures.rounds));
+  cells.push_back(fmt::format("{:.2f}", row.figures.displacement_ulps));
+  print_line(settings, cells);
 }
 
 }  // namespace
@@ -140,18 +170,19 @@ int main(int argc, char** argv) {
   app.add_option("--show", settings.show, "failures shown in full, by generator")->capture_default_str();
   app.add_option("--patience", settings.patience, "seconds after which a call is given up")->capture_default_str();
   app.add_flag("--engines", settings.engines, "compare all engines in every case, not in one of four");
+  app.add_flag("--recompute", settings.recompute, "recompute by exact rationals in every case, not in one of 256");
+  app.add_flag("--markdown", settings.markdown, "rows of a table");
   CLI11_PARSE(app, argc, argv);
 
-  fmt::print("{:<22} {:>9} {:>10} {:>14} {:>10} {:>10} {:>8} {:>6} {:>7} {:>9}\n", "generator", "cases", "unverified",
-             "non-idempotent", "order-dep.", "exceptions", "engines", "areas", "rounds", "max ulps");
+  print_head(settings);
   Row total;
   for (const HostileGenerator& generator : hostile_generators()) {
     if (!settings.only.empty() && settings.only != generator.name) continue;
     const Row row = run_generator(generator, settings);
-    print_row(generator.name, row);
+    print_row(settings, generator.name, row);
     total.add(row);
   }
-  print_row("all", total);
+  print_row(settings, "all", total);
   fmt::print("{} passed, {} failed\n", total.cases - total.failures(), total.failures());
   return total.failures() == 0 && total.cases > 0 ? 0 : 1;
 }

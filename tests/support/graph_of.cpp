@@ -1,5 +1,5 @@
 // The stages one after the other.
-#include "overlay/graph_of.h"
+#include "support/graph_of.h"
 
 #include "engines/leonov_nikitin/label.h"
 #include "noding/merge_identical_edges.h"

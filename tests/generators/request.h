@@ -1,0 +1,28 @@
+// What a hostile case asks for: options and checks, drawn from its seed.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <cstdint>
+#include <string>
+
+namespace oblast::generators {
+
+/// What a case asks for; drawn from the case's seed.
+struct Request {
+  FillRule fill_a;
+  FillRule fill_b;
+  ContourConvention contours = ContourConvention::ogc;
+  CollinearVertices collinear = CollinearVertices::keep;
+  std::uint64_t seed = 0;      ///< of the shuffling
+  bool other_threads = false;  ///< compare with two threads (costly)
+  bool other_engines = false;  ///< compare with every engine that is present
+  bool recompute = false;      ///< one operation once more by exact arithmetic (recomputation.h; costly)
+  Operation recomputed = Operation::unite;
+  double patience = 60;        ///< seconds after which a call is cancelled, and counts as an exception
+};
+
+Request draw_request(std::uint64_t seed);
+std::string to_text(const Request& request);
+
+}  // namespace oblast::generators

@@ -1,0 +1,43 @@
+// Doubles as integers on a common scale: exact sums and products without fractions.
+//
+// A double is m 2^e, m an integer of 53 bits. In units of 2^e for the smallest e at hand, every coordinate is an
+// integer. Inside the domain e runs from -352 to 248, so coordinates have at most 653 bits, and a determinant of
+// differences at most 1310: WideInteger holds it, and holds it without allocating.
+#pragma once
+
+#include <oblast/point.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <span>
+
+namespace oblast::verify {
+
+using WideInteger = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<1408, 1408, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>;
+
+/// A point in units of a scale.
+struct ScaledPoint {
+  WideInteger x;
+  WideInteger y;
+};
+
+/// The unit of a set of doubles: the largest power of two of which all are multiples that are needed here.
+class Scale {
+ public:
+  /// REQUIRES: coordinates in the domain.
+  explicit Scale(std::span<const Point> points);
+
+  ScaledPoint operator()(const Point& p) const { return {scaled(p.x), scaled(p.y)}; }
+
+ private:
+  WideInteger scaled(double value) const;
+
+  int exponent_;
+};
+
+/// (q - p) x (r - p): twice the area of the triangle, in square units.
+WideInteger determinant(const ScaledPoint& p, const ScaledPoint& q, const ScaledPoint& r);
+
+}  // namespace oblast::verify
