@@ -1,8 +1,8 @@
 // A noded arrangement, its winding numbers and the areas of its faces, recomputed by exact integers.
 //
-// The pipeline chooses its results from one set of noded edges, whatever the operation. On that set nothing is rounded any
-// more, so areas are exact and must add up exactly: |A or B| + |A and B| = |A| + |B|. Here the winding numbers come from
-// a ray down from the middle of each edge, one edge at a time: slow, simple, and not how any engine labels.
+// The pipeline chooses its results from one set of noded edges, whatever the operation. On that set nothing is rounded
+// any more, so areas are exact and must add up exactly: |A or B| + |A and B| = |A| + |B|. Here the winding numbers come
+// from a ray down from the middle of each edge, one edge at a time: slow, simple, and not how any engine labels.
 #pragma once
 
 #include <oblast/options.h>
@@ -15,7 +15,8 @@
 
 namespace oblast::verify {
 
-/// An edge after noding, and how much the winding numbers of A and B grow when it is crossed from its right to its left.
+/// An edge after noding, and how much the winding numbers of A and B grow when it is crossed from its right to its
+/// left.
 struct NodedEdge {
   Point from;
   Point to;
@@ -25,8 +26,8 @@ struct NodedEdge {
 
 class NodedArrangement {
  public:
-  /// Rules that read polygons one by one count how many polygons cover a place: each has winding number 1 on its region.
-  /// REQUIRES: edges in the domain and not of length zero.
+  /// Rules that read polygons one by one count how many polygons cover a place: each has winding number 1 on its
+  /// region. REQUIRES: edges in the domain and not of length zero.
   NodedArrangement(std::vector<NodedEdge> edges, const FillRule& rule_a, const FillRule& rule_b);
 
   /// Two edges that cross, overlap, or of which one touches the inside of the other. Cost: quadratic.

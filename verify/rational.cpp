@@ -1,6 +1,8 @@
 // Exact rational points: rounding, intersection and distance.
 #include "verify/rational.h"
 
+#include <oblast/domain.h>
+
 #include <cmath>
 
 namespace oblast::verify {
@@ -35,6 +37,13 @@ double round_to_nearest(const Rational& value) {
   if (tail > half || (tail == half && (kept & 1) != 0)) ++kept;
   const double magnitude = std::ldexp(static_cast<double>(kept), excess - shift);
   return negative ? -magnitude : magnitude;
+}
+
+double round_into_domain(const Rational& value) {
+  const Rational magnitude = mp::abs(value);
+  if (magnitude >= Rational(domain_smallest)) return round_to_nearest(value);
+  if (magnitude + magnitude <= Rational(domain_smallest)) return 0.0;
+  return value.sign() < 0 ? -domain_smallest : domain_smallest;
 }
 
 std::optional<RationalPoint> intersection_of_segments(const Point& a, const Point& b, const Point& c, const Point& d) {

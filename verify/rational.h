@@ -29,6 +29,10 @@ struct RationalPoint {
 /// REQUIRES: the result is zero or a normal double.
 double round_to_nearest(const Rational& value);
 
+/// The coordinate nearest to `value`: round_to_nearest, but a magnitude below the domain becomes 0 or the domain's
+/// smallest, whichever is nearer, 0 where both are.
+double round_into_domain(const Rational& value);
+
 /// The one point where the lines through ab and cd meet, if the closed segments meet in exactly one point.
 std::optional<RationalPoint> intersection_of_segments(const Point& a, const Point& b, const Point& c, const Point& d);
 

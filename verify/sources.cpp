@@ -45,7 +45,7 @@ bool Sources::is_rounded_intersection(const Point& p) const {
     for (std::size_t j = 0; j < i; ++j) {
       const InputEdge &e = edges_[close[i]], &f = edges_[close[j]];
       const auto meeting = intersection_of_segments(e.from, e.to, f.from, f.to);
-      if (meeting && round_to_nearest(meeting->x) == p.x && round_to_nearest(meeting->y) == p.y) return true;
+      if (meeting && round_into_domain(meeting->x) == p.x && round_into_domain(meeting->y) == p.y) return true;
     }
   }
   return false;

@@ -35,7 +35,8 @@ NodedArrangement arrangement_of(const ChainGraph& graph, const Options& options)
   return {std::move(edges), options.fill_a, options.fill_b};
 }
 
-/// Twice the area of the operation's contours, before traces are taken out: then every vertex is one of the arrangement.
+/// Twice the area of the operation's contours, before traces are taken out: then every vertex is one of the
+/// arrangement.
 WideInteger twice_area(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
                        const Options& options, const NodedArrangement& arrangement) {
   const Selection selection = select(graph, right, operation, options);

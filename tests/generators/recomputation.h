@@ -13,8 +13,8 @@ namespace oblast::generators {
 std::optional<std::string> recompute_result(const Operands& operands, const Request& request, Operation operation,
                                             const RegionSet& result);
 
-/// What is wrong with the noded edges and what is chosen from them (stages 2 to 5), by verify::NodedArrangement: they are
-/// settled; each operation's contours enclose exactly the area that the winding numbers say; and the areas add up
+/// What is wrong with the noded edges and what is chosen from them (stages 2 to 5), by verify::NodedArrangement: they
+/// are settled; each operation's contours enclose exactly the area that the winding numbers say; and the areas add up
 /// exactly: |A or B| + |A and B| = |A| + |B| and its likes. Quadratic in the noded edges.
 std::optional<std::string> recompute_arrangement(const Operands& operands, const Request& request);
 

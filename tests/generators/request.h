@@ -19,7 +19,7 @@ struct Request {
   bool other_engines = false;  ///< compare with every engine that is present
   bool recompute = false;      ///< one operation once more by exact arithmetic (recomputation.h; costly)
   Operation recomputed = Operation::unite;
-  double patience = 60;        ///< seconds after which a call is cancelled, and counts as an exception
+  double patience = 60;  ///< seconds after which a call is cancelled, and counts as an exception
 };
 
 Request draw_request(std::uint64_t seed);

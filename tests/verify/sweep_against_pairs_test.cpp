@@ -125,5 +125,14 @@ TEST(Rational, roundsToNearestEven) {
   }
 }
 
+TEST(Rational, roundsIntoTheDomain) {
+  const Rational smallest(0x1p-300);
+  EXPECT_EQ(round_into_domain(Rational(1) / 3), 1.0 / 3);
+  EXPECT_EQ(round_into_domain(smallest), 0x1p-300);
+  EXPECT_EQ(round_into_domain(-smallest * 2 / 3), -0x1p-300);
+  EXPECT_EQ(round_into_domain(smallest / 2), 0.0);
+  EXPECT_EQ(round_into_domain(smallest / 3), 0.0);
+}
+
 }  // namespace
 }  // namespace oblast::verify
