@@ -1,0 +1,90 @@
+// Out of memory at every single allocation of every public function: std::bad_alloc, no leak, and the next call is
+// right.
+#include <gtest/gtest.h>
+#include <oblast/classics.h>
+#include <oblast/hull.h>
+#include <oblast/layers.h>
+#include <oblast/oblast.h>
+#include <oblast/triangulate.h>
+#include <tbb/task_arena.h>
+
+#include "faults/every_allocation.h"
+#include "generators/hostile.h"
+
+namespace oblast::testing {
+namespace {
+
+/// In one thread, so that the same allocation fails each time.
+template <typename Function>
+void fail_every_allocation_of(const Function& function) {
+  tbb::task_arena(1).execute([&] {
+    const auto expected = function();
+    fail_every_allocation([&] { return function() == expected; });
+  });
+}
+
+class OutOfMemory : public ::testing::TestWithParam<Engine> {};
+
+TEST_P(OutOfMemory, atAnyAllocationOfAnOverlayLeavesNothingBehind) {
+  Options options;
+  options.engine = GetParam();
+  options.threads = 1;
+  // Crossings, coincident edges, polygons that are resolved by themselves, traces taken out, several rounds, parts.
+  const generators::Operands cases[] = {generators::integer_grid(5, 24), generators::slivers(3, 24),
+                                        generators::nested_squares(2, 32), generators::near_parallel_bundles(4, 12),
+                                        generators::earth_degrees(6, 40)};
+  for (const auto& [a, b] : cases) {
+    for (const Operation operation : {Operation::intersection, Operation::symmetric_difference})
+      fail_every_allocation_of([&] { return overlay(a, b, operation, options); });
+  }
+}
+
+constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov};
+constexpr const char* engine_names[] = {"leonov_nikitin", "vatti", "skvortsov"};
+INSTANTIATE_TEST_SUITE_P(Engines, OutOfMemory, ::testing::ValuesIn(engines),
+                         [](const auto& tested) { return engine_names[static_cast<int>(tested.param)]; });
+
+RegionSet box(double x0, double y0, double x1, double y1) {
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
+}
+
+TEST(OutOfMemory, atAnyAllocationOfAClassicLeavesNothingBehind) {
+  const RegionSet a = box(0, 0, 4, 4), b = box(1, 1, 5, 6.3);
+  for (const ClassicMethod method : {ClassicMethod::orourke, ClassicMethod::sutherland_hodgman,
+                                     ClassicMethod::weiler_atherton, ClassicMethod::margalit_knott})
+    fail_every_allocation_of([&] { return classic(method, a, b, Operation::intersection); });
+  fail_every_allocation_of([&] { return ClipWindow(b).clip(a); });
+}
+
+TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
+  const RegionSet soup = generators::earth_degrees(6, 40).a;
+  fail_every_allocation_of([&] { return unite(soup); });
+  fail_every_allocation_of([&] { return hull(soup); });
+  fail_every_allocation_of([&] { return layers(soup); });
+  fail_every_allocation_of([&] { return triangulate(soup).triangles.size(); });
+}
+
+// Which allocation fails differs from run to run here. Large enough for all threads to have something to do.
+TEST(OutOfMemory, inAnyThreadLeavesNothingBehind) {
+  const generators::Operands operands = generators::coverages(3, 20000);
+  Options options;
+  options.threads = 2;
+  const auto call = [&] { return overlay(operands.a, operands.b, Operation::intersection, options); };
+  const RegionSet expected = call();
+  const std::int64_t before = live_blocks();
+  int thrown = 0;
+  for (std::uint64_t number = 1; number < 4000; number += 1 + number / 4) {
+    try {
+      const FailingAllocation failing(number);
+      EXPECT_EQ(call(), expected);
+    } catch (const std::bad_alloc&) {
+      ++thrown;
+    }
+  }
+  EXPECT_GT(thrown, 5);
+  EXPECT_EQ(call(), expected);
+  EXPECT_EQ(live_blocks(), before);
+}
+
+}  // namespace
+}  // namespace oblast::testing
