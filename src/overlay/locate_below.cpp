@@ -3,7 +3,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <memory_resource>
 #include <numeric>
 #include <set>
 
@@ -103,8 +102,17 @@ std::vector<Below> Sweep::run() {
     return lexicographically_less(point(runs_[r].end), point(runs_[s].end));
   });
 
-  std::pmr::unsynchronized_pool_resource pool;
-  std::pmr::set<std::uint32_t, Lower> status(Lower{this}, &pool);
+  // Nodes of runs that finished are used again for others: allocations as many as the status is large. (libstdc++'s
+  // pool resource would do the same, but crashes when memory runs out.)
+  std::set<std::uint32_t, Lower> status(Lower{this});
+  std::vector<decltype(status)::node_type> spare;
+  const auto insert = [&](std::uint32_t run) {
+    if (spare.empty()) return status.insert(run).first;
+    auto node = std::move(spare.back());
+    spare.pop_back();
+    node.value() = run;
+    return status.insert(std::move(node)).position;
+  };
   std::vector<decltype(status)::iterator> places(runs_.size());
 
   std::size_t next_start = 0, next_finish = 0;
@@ -117,10 +125,10 @@ std::vector<Below> Sweep::run() {
           next_finish < finishes.size() && !lexicographically_less(p, point(runs_[finishes[next_finish]].end));
       if (finishing && !(starting && lexicographically_less(start_points_[starts[next_start]],
                                                             point(runs_[finishes[next_finish]].end)))) {
-        status.erase(places[finishes[next_finish++]]);
+        spare.push_back(status.extract(places[finishes[next_finish++]]));
       } else if (starting) {
         const std::uint32_t r = starts[next_start++];
-        places[r] = status.insert(r).first;
+        places[r] = insert(r);
       } else {
         break;
       }

@@ -28,7 +28,7 @@ bool is_cancelled(const generators::Operands& operands, Options options, int las
 class Cancelled : public ::testing::TestWithParam<Engine> {};
 
 TEST_P(Cancelled, atAnyQuestionThrowsAndLeaksNothing) {
-  const generators::Operands operands = generators::coverages(2, 60000);
+  const generators::Operands operands = generators::coverages(2, 20000);
   for (const int threads : {1, 2}) {
     Options options;
     options.engine = GetParam();

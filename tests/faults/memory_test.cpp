@@ -29,11 +29,8 @@ TEST_P(OutOfMemory, atAnyAllocationOfAnOverlayLeavesNothingBehind) {
   Options options;
   options.engine = GetParam();
   options.threads = 1;
-  // Crossings, coincident edges, polygons that are resolved by themselves, traces taken out, several rounds, parts.
-  const generators::Operands cases[] = {generators::integer_grid(5, 24), generators::slivers(3, 24),
-                                        generators::nested_squares(2, 32), generators::near_parallel_bundles(4, 12),
-                                        generators::earth_degrees(6, 40)};
-  for (const auto& [a, b] : cases) {
+  for (const auto& generator : generators::hostile_generators()) {
+    const auto [a, b] = generator.make(5, 20);
     for (const Operation operation : {Operation::intersection, Operation::symmetric_difference})
       fail_every_allocation_of([&] { return overlay(a, b, operation, options); });
   }
