@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "classics/box_tree.h"
+#include "classics/far.h"
 
 namespace oblast::classics {
 namespace {
@@ -16,7 +17,7 @@ class ClearanceTest {
   explicit ClearanceTest(const Strands& noded) : strands_(noded), points_(noded.points) {
     double largest = 0;
     for (const Point& p : points_) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
-    gap_ = largest * 0x1p-46;
+    gap_ = clearance_gap(largest);
     for (std::uint32_t s = 0; s < noded.size(); ++s)
       for (std::uint32_t e = noded.begin(s); e + 1 < noded.ends[s]; ++e)
         if (noded.flags[e] & noding::moved_flag) moved_.push_back({e, s});
@@ -86,16 +87,7 @@ class ClearanceTest {
     return (v == first && w == last) || (v == last && w == first);
   }
 
-  /// Computed in floating point: off by some 2^-50 of the largest coordinate, which the gap allows for. Nothing
-  /// overflows: coordinates are below 2^301, so these products stay below 2^605.
-  bool is_far(const Point& p, const Point& a, const Point& b) const {
-    const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, qx = p.x - b.x, qy = p.y - b.y;
-    const double square = dx * dx + dy * dy;
-    if (square <= gap_ * gap_) return px * px + py * py > 16 * (gap_ * gap_);
-    if (px * dx + py * dy <= 0) return px * px + py * py > gap_ * gap_;
-    if (qx * dx + qy * dy >= 0) return qx * qx + qy * qy > gap_ * gap_;
-    return std::fabs(dx * py - dy * px) > gap_ * std::sqrt(square);
-  }
+  bool is_far(const Point& p, const Point& a, const Point& b) const { return classics::is_far(p, a, b, gap_); }
 
   const Strands& strands_;
   const std::vector<Point>& points_;

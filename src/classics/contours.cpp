@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "engines/leonov_nikitin/label.h"
 #include "noding/point_hash.h"
 #include "overlay/assemble.h"
-#include "overlay/chain_graph.h"
 #include "overlay/link.h"
 #include "overlay/nesting.h"
 #include "overlay/rings.h"
@@ -32,6 +32,16 @@ void flag_repeated(const std::vector<Point>& points, std::vector<std::uint8_t>& 
   }
 }
 
+/// All chains, each with the result on its left.
+RegionSet assembled(const ChainGraph& graph) {
+  Selection selection(graph.chains.size(), none);
+  for (std::uint32_t c = 0; c < selection.size(); ++c)
+    if (graph.is_live(c)) selection[c] = forward(c);
+  const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
+  const Rings rings = contours_to_rings(graph, selection, linked);
+  return assemble(rings, nest(graph, selection, linked, rings));
+}
+
 }  // namespace
 
 void Contours::close() {
@@ -53,13 +63,8 @@ RegionSet Contours::single() const {
   return result;
 }
 
-RegionSet Contours::to_region_set() const {
-  if (ends_.empty()) return {};
-  std::vector<std::uint8_t> flags(points_.size(), 0);
-  flag_repeated(points_, flags);
-  const bool touches = std::find(flags.begin(), flags.end(), noding::node_flag) != flags.end();
-  if (ends_.size() == 1 && !touches) return single();
-
+/// The contours as they are, without anything labelled.
+ChainGraph Contours::graph(std::vector<std::uint8_t> flags) const {
   noding::Strands strands;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends_) {
@@ -76,13 +81,27 @@ RegionSet Contours::to_region_set() const {
     strands.close_strand({1, 0}, noding::any_group);
     begin = end;
   }
-  const ChainGraph graph = build_chain_graph(std::move(strands));
-  Selection selection(graph.chains.size(), none);
-  for (std::uint32_t c = 0; c < selection.size(); ++c)
-    if (graph.is_live(c)) selection[c] = forward(c);
-  const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
-  const Rings rings = contours_to_rings(graph, selection, linked);
-  return assemble(rings, nest(graph, selection, linked, rings));
+  return build_chain_graph(std::move(strands));
+}
+
+RegionSet Contours::to_region_set() const {
+  if (ends_.empty()) return {};
+  std::vector<std::uint8_t> flags(points_.size(), 0);
+  flag_repeated(points_, flags);
+  const bool touches = std::find(flags.begin(), flags.end(), noding::node_flag) != flags.end();
+  if (ends_.size() == 1 && !touches) return single();
+  return assembled(graph(std::move(flags)));
+}
+
+std::optional<RegionSet> Contours::to_region_set_if_regular() const {
+  if (ends_.empty()) return RegionSet{};
+  std::vector<std::uint8_t> flags(points_.size(), 0);
+  flag_repeated(points_, flags);
+  const ChainGraph contours = graph(std::move(flags));
+  const std::vector<Winding> right = leonov_nikitin::label(contours);
+  for (std::uint32_t c = 0; c < contours.chains.size(); ++c)
+    if (!contours.is_live(c) || right[c].a != 0 || contours.chains[c].change.a != 1) return {};
+  return assembled(contours);
 }
 
 }  // namespace oblast::classics

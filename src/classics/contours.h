@@ -3,7 +3,10 @@
 
 #include <oblast/region_set.h>
 
+#include <optional>
 #include <vector>
+
+#include "overlay/chain_graph.h"
 
 namespace oblast::classics {
 
@@ -19,7 +22,12 @@ class Contours {
   /// REQUIRES: the result lies on the left; edges meet at their ends only. Cost: O(n + z log z), z contours.
   RegionSet to_region_set() const;
 
+  /// The same where it is not known that the result lies on the left of every contour: nothing when it does not.
+  /// REQUIRES: edges meet at their ends only. Cost: O(n + z log z).
+  std::optional<RegionSet> to_region_set_if_regular() const;
+
  private:
+  ChainGraph graph(std::vector<std::uint8_t> flags) const;
   RegionSet single() const;
 
   std::vector<Point> points_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "classics/window/fast_path.h"
 #include "noding/largest_ulp.h"
 #include "overlay/pipeline.h"
 #include "overlay/validate.h"
@@ -23,6 +24,8 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   if (b) validate(*b, 1);
   if (a.points.size() + (b ? b->points.size() : 0) >= 0x7fffffff)
     throw Error(ErrorCode::too_large, "more than 2^31 - 1 vertices in one call");
+  if (b)
+    if (std::optional<RegionSet> result = classics::fast_overlay(a, *b, operation, options)) return *std::move(result);
 
   Statistics statistics;
   Control control(options.progress);

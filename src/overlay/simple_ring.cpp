@@ -17,34 +17,6 @@ using exact::orientation;
 // Below this, testing every pair of edges is quicker than setting up a search.
 constexpr std::size_t small_ring = 24;
 
-/// The common sign of all turns when the ring is convex (straight vertices allowed); 0 when it is not. A ring
-/// that turns one way only and has one smallest and one largest vertex is convex and simple.
-int convex_turn(std::span<const Point> ring) {
-  const std::size_t n = ring.size();
-  int turn = 0, extremes = 0;
-  Point a = ring[n - 2], b = ring[n - 1];
-  for (const Point& c : ring) {
-    const int t = orientation(a, b, c);
-    const bool extreme = lexicographically_less(a, b) != lexicographically_less(b, c);
-    if (extreme && (t == 0 || ++extremes > 2)) return 0;
-    if (t != 0) {
-      if (turn == -t) return 0;
-      turn = t;
-    }
-    a = b;
-    b = c;
-  }
-  return turn;
-}
-
-/// The turn at the smallest vertex, which gives the direction of a simple ring.
-int turn_at_smallest(std::span<const Point> ring) {
-  const auto smallest =
-      static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
-  const std::size_t n = ring.size();
-  return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
-}
-
 /// Closed segments: true when they share any point.
 bool edges_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!noding::Box::of(a, b).meets(noding::Box::of(c, d))) return false;
@@ -83,6 +55,32 @@ bool large_ring_is_simple(std::span<const Point> ring) {
 }
 
 }  // namespace
+
+// A ring that turns one way only and has one smallest and one largest vertex is convex and simple.
+int convex_turn(std::span<const Point> ring) {
+  const std::size_t n = ring.size();
+  int turn = 0, extremes = 0;
+  Point a = ring[n - 2], b = ring[n - 1];
+  for (const Point& c : ring) {
+    const int t = orientation(a, b, c);
+    const bool extreme = lexicographically_less(a, b) != lexicographically_less(b, c);
+    if (extreme && (t == 0 || ++extremes > 2)) return 0;
+    if (t != 0) {
+      if (turn == -t) return 0;
+      turn = t;
+    }
+    a = b;
+    b = c;
+  }
+  return turn;
+}
+
+int turn_at_smallest(std::span<const Point> ring) {
+  const auto smallest =
+      static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
+  const std::size_t n = ring.size();
+  return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
+}
 
 RingShape ring_shape(std::span<const Point> ring) {
   int turn = convex_turn(ring);

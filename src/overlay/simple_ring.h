@@ -19,4 +19,11 @@ enum class RingShape {
 /// O(n log n) otherwise.
 RingShape ring_shape(std::span<const Point> ring);
 
+/// The common sign of all turns when the ring is convex (straight vertices allowed); 0 when it is not. `ring` as for
+/// ring_shape. Cost: linear, and for most rings that are not convex a few vertices.
+int convex_turn(std::span<const Point> ring);
+
+/// The turn at the smallest vertex, which gives the direction of a simple ring.
+int turn_at_smallest(std::span<const Point> ring);
+
 }  // namespace oblast

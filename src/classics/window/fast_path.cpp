@@ -1,0 +1,47 @@
+#include "classics/window/fast_path.h"
+
+#include <array>
+#include <cstddef>
+
+#include "classics/window/window_clip.h"
+#include "overlay/simple_ring.h"
+
+namespace oblast::classics {
+namespace {
+
+/// What differs from the defaults is left to the pipeline; so are statistics and progress, which tell of its stages.
+bool are_default(const Options& options) {
+  return options.engine == Engine::leonov_nikitin && options.collinear == CollinearVertices::keep &&
+         options.fill_a.kind == FillRule::Kind::polygons && options.fill_b.kind == FillRule::Kind::polygons &&
+         !options.statistics && !options.progress;
+}
+
+SubjectKind kind_of(const RegionView& operand) {
+  if (operand.contour_count() != 1) return SubjectKind::any;
+  const auto contour = without_closing_point(operand.contour(0));
+  return contour.size() >= 3 && convex_turn(contour) != 0 ? SubjectKind::convex : SubjectKind::any;
+}
+
+}  // namespace
+
+std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, Operation operation,
+                                      const Options& options) {
+  const bool intersection = operation == Operation::intersection;
+  if (operation == Operation::symmetric_difference || !are_default(options)) return {};
+  const bool one_b = b.contour_count() == 1, one_a = a.contour_count() == 1;
+  if (!one_b && !(intersection && one_a)) return {};
+
+  std::array<std::byte, scratch_bytes> scratch;
+  std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size());
+  std::optional<Window> window;
+  if (one_b) window = Window::of(b.contour(0), &memory);
+  const bool exchanged = !window && intersection && one_a;
+  if (exchanged) window = Window::of(a.contour(0), &memory);
+  if (!window) return {};
+  const RegionView& subject = exchanged ? b : a;
+  const SubjectKind kind = kind_of(subject);
+  if (!intersection && (kind != SubjectKind::convex || subject.points.size() > Window::most_sides)) return {};
+  return WindowClip(subject, kind, *window, &memory).run(operation);
+}
+
+}  // namespace oblast::classics
