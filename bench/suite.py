@@ -16,10 +16,13 @@ class Workload:
     make: list  # arguments of oblast_workload, without -o
     operations: list = field(default_factory=lambda: ["default"])
     pairs: bool = False  # many small overlays: every peer works on them in as many threads
+    window: bool = False  # B is convex: what can clip by a window only contends too
 
 
-def generated(kind, sizes, operations=("default",), pairs=False):
-    return [Workload(f"{kind}-{size}", ["generate", kind, str(size)], list(operations), pairs) for size in sizes]
+def generated(kind, sizes, operations=("default",), pairs=False, window=False):
+    return [
+        Workload(f"{kind}-{size}", ["generate", kind, str(size)], list(operations), pairs, window) for size in sizes
+    ]
 
 
 def dissolve(shared, stem):
@@ -48,6 +51,11 @@ def suite(scale, shared):
     result += generated("crossing", pick([500], [500, 2000]))
     result += generated("spiral_pair", pick([20_000], [500_000]))
     result += generated("pairs", pick([100_000], [1_000_000]), pairs=True)
+    # one operand convex: the fast paths
+    for kind in ("small_window", "large_window", "octagon"):
+        result += generated(kind, pick([1_000, 100_000], [1_000, 1_000_000]), window=True)
+    for kind in ("window_pairs", "convex_pairs"):
+        result += generated(kind, pick([100_000], [1_000_000]), pairs=True, window=True)
     # iOverlay's own tests
     for kind in ("checkerboard", "not_overlap", "lines_net", "windows", "windmill"):
         result += generated(kind, pick([150], [1000 if kind != "windmill" else 500]))
@@ -77,6 +85,7 @@ class Peer:
     command: object  # threads -> list of words before WORKLOAD
     threaded: bool = False  # makes use of threads within one overlay
     polygons: bool = True  # False: gives contours that nobody assigned to polygons
+    window: bool = False  # contends where B is a convex window only
 
 
 def peers():
@@ -96,14 +105,18 @@ def peers():
 
     known = [
         Peer("oblast", lambda threads: [str(BUILD / "bench" / "oblast_driver")], threaded=True),
+        Peer("oblast-pipeline", lambda threads: [str(BUILD / "bench" / "oblast_pipeline_driver")], True, window=True),
+        Peer("oblast-window", lambda threads: [str(BUILD / "bench" / "oblast_window_driver")], window=True),
         Peer("ioverlay-int", rust("int"), threaded=True),
         Peer("ioverlay-float", rust("float"), threaded=True),
         Peer("ioverlay-float64", rust("float64"), threaded=True),
         Peer("clipper2", program("clipper2")),
         Peer("clipper2-paths", program("clipper2-paths"), polygons=False),
+        Peer("clipper2-rect", program("clipper2-rect"), polygons=False, window=True),
         Peer("boost", program("boost")),
         Peer("geos", program("geos")),
         Peer("geos-coverage", program("geos-coverage")),
+        Peer("geos-rect", program("geos-rect"), window=True),
         Peer("geos-newest", lambda threads: python),
         Peer("geos-newest-coverage", lambda threads: [*python]),
         Peer("cgal", program("cgal")),

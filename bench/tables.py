@@ -20,7 +20,7 @@ def groups(rows):
 
 def best_peer(rows):
     """The fastest peer with a good result, and None where there is none."""
-    good = [r for r in rows if r["peer"] != "oblast" and "seconds" in r and r.get("verdict") in GOOD]
+    good = [r for r in rows if not r["peer"].startswith("oblast") and "seconds" in r and r.get("verdict") in GOOD]
     return min(good, key=lambda r: r["seconds"], default=None)
 
 
@@ -74,7 +74,7 @@ def summary_table(report):
         if not best:
             lines.append(f"{head} none finished with a valid result | | | |")
             continue
-        peaks = [r["peak_kib"] for r in members if r["peer"] != "oblast" and "seconds" in r and r.get("verdict") in GOOD]
+        peaks = [r["peak_kib"] for r in members if not r["peer"].startswith("oblast") and "seconds" in r and r.get("verdict") in GOOD]
         lines.append(
             f"{head} {best['peer']} | {duration(best['seconds'])} | {best['seconds'] / reference['seconds']:.2f} "
             f"| {min(peaks) / reference['peak_kib']:.2f} |"

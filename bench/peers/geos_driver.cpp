@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "driver/driver.h"
+#include "driver/rectangle.h"
 
 namespace {
 
@@ -69,7 +69,6 @@ struct Geos {
  protected:
   bench::Settings settings_;
 
- private:
   Geometry checked(GEOSGeometry* geometry) {
     if (geometry == nullptr) throw std::runtime_error(message_.empty() ? "no result" : message_);
     return Geometry(geometry);
@@ -139,6 +138,8 @@ struct Geos {
   }
 
   GEOSContextHandle_t context_;
+
+ private:
   std::string message_;
 };
 
@@ -155,10 +156,32 @@ struct GeosCoverage : Geos {
   }
 };
 
+// GEOS's clip by a rectangle, without noding.
+struct GeosRect : Geos {
+  static std::string name() { return "geos-rect"; }
+  using Geos::Geos;
+
+  struct Prepared {
+    Geometry a;
+    bench::Rectangle window;
+  };
+  Prepared prepare(const RegionView& a, const RegionView& b) {
+    const bench::Rectangle window = bench::clip_rectangle(settings_, b);
+    return {geometry(a), window};
+  }
+  void run(const Prepared& input, RegionSet& result) {
+    const bench::Rectangle& w = input.window;
+    const Geometry clipped = checked(GEOSClipByRect_r(context_, input.a.get(), w.x0, w.y0, w.x1, w.y1));
+    extract(clipped.get(), result);
+  }
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-#ifdef OBLAST_GEOS_COVERAGE
+#ifdef OBLAST_GEOS_RECT
+  return bench::drive<GeosRect>(argc, argv);
+#elif defined(OBLAST_GEOS_COVERAGE)
   return bench::drive<GeosCoverage>(argc, argv);
 #else
   return bench::drive<GeosUnary>(argc, argv);

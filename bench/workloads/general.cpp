@@ -10,20 +10,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-// A star-shaped contour of n vertices: five large waves, fifty small ones, and a wiggle of each vertex by
-// up to a third of its spacing. It is simple, because its angles increase.
-std::vector<Point> wiggly_star(std::uint32_t n, double phase, std::mt19937_64& random) {
-  std::vector<Point> contour(n);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = two_pi * i / n;
-    const double wiggle = (uniform(random) - 0.5) * (two_pi / n) * 2 / 3;
-    const double radius =
-        1000 * (1 + 0.2 * std::sin(5 * (angle + phase)) + 0.01 * std::sin(50 * (angle - phase)) + wiggle);
-    contour[i] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return contour;
-}
-
 Workload stars(std::uint32_t n, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   RegionSet a, b;
@@ -138,6 +124,20 @@ constexpr NamedWorkload workloads[] = {
 };
 
 }  // namespace
+
+// A star-shaped contour of n vertices: five large waves, fifty small ones, and a wiggle of each vertex by
+// up to a third of its spacing. It is simple, because its angles increase.
+std::vector<Point> wiggly_star(std::uint32_t n, double phase, std::mt19937_64& random) {
+  std::vector<Point> contour(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = two_pi * i / n;
+    const double wiggle = (uniform(random) - 0.5) * (two_pi / n) * 2 / 3;
+    const double radius =
+        1000 * (1 + 0.2 * std::sin(5 * (angle + phase)) + 0.01 * std::sin(50 * (angle - phase)) + wiggle);
+    contour[i] = {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+  return contour;
+}
 
 std::span<const NamedWorkload> general_workloads() { return workloads; }
 

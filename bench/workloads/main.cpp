@@ -14,7 +14,7 @@ namespace oblast::bench {
 namespace {
 
 const NamedWorkload* find(const std::string& name) {
-  for (const auto list : {general_workloads(), ioverlay_workloads()}) {
+  for (const auto list : {general_workloads(), window_workloads(), ioverlay_workloads()}) {
     for (const NamedWorkload& workload : list) {
       if (name == workload.name) return &workload;
     }
@@ -23,7 +23,7 @@ const NamedWorkload* find(const std::string& name) {
 }
 
 void list() {
-  for (const auto list : {general_workloads(), ioverlay_workloads()}) {
+  for (const auto list : {general_workloads(), window_workloads(), ioverlay_workloads()}) {
     for (const NamedWorkload& workload : list) fmt::print("{:16}SIZE: {}\n", workload.name, workload.size);
   }
 }

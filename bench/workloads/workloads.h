@@ -20,6 +20,7 @@ struct NamedWorkload {
 
 /// Every generated workload, by name.
 std::span<const NamedWorkload> general_workloads();   // general.cpp
+std::span<const NamedWorkload> window_workloads();    // windows.cpp
 std::span<const NamedWorkload> ioverlay_workloads();  // ioverlay_tests.cpp
 
 /// A uniform number in [0, 1), the same on every machine (std::uniform_real_distribution is not).
@@ -31,6 +32,9 @@ void add_polygon(RegionSet& regions, std::span<const Point> contour);
 void add_hole(RegionSet& regions, std::span<const Point> contour);
 /// Appends the axis-parallel rectangle [x0, x1] x [y0, y1].
 void add_rectangle(RegionSet& regions, double x0, double y0, double x1, double y1);
+
+/// A simple contour of n vertices about the origin, radius 1000: waves large and small, and a wiggle of each vertex.
+std::vector<Point> wiggly_star(std::uint32_t n, double phase, std::mt19937_64& random);
 
 /// A workload of one pair; contours are oriented unless they cross.
 Workload single(Operation operation, RegionSet a, RegionSet b, OperandKind kind_a = OperandKind::region_set,

@@ -62,9 +62,8 @@ RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation ope
 RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
                   ClassicReport* report = nullptr);
 
-/// A convex window prepared once, to clip millions of polygons: Sutherland and Hodgman with the window's
-/// sides at hand, polygons wholly inside or outside told by their box. May be used from several
-/// threads at once.
+/// A convex window prepared once, to clip millions of polygons. Most of a subject needs a look at its boxes only, so
+/// the cost is that of what comes near the window. May be used from several threads at once.
 class ClipWindow {
  public:
   /// The contour of `window`. Domain and errors as the window of `sutherland_hodgman`.
@@ -75,8 +74,9 @@ class ClipWindow {
   ClipWindow(ClipWindow&&) noexcept;
   ClipWindow& operator=(ClipWindow&&) noexcept;
 
-  /// The same as sutherland_hodgman(subject, window). Cost: O(n) for polygons whose box misses the
-  /// window or lies in it, else as there.
+  /// overlay(subject, window, Operation::intersection), and its bytes, for any subject; `overlay` itself takes this way
+  /// where it can see at small cost that it may. Cost: O(n + c log c), c edges near the window; that of `overlay` where
+  /// the report says that it was handed over: something touches the window or nearly does, or edges meet near it.
   RegionSet clip(const RegionView& subject, ClassicReport* report = nullptr) const;
 
  private:

@@ -123,7 +123,12 @@ ClassicCase draw(ClassicMethod method, Plane& plane) {
     case ClassicMethod::margalit_knott:
       break;
   }
-  return {one_contour(vertex_complete(plane)), one_contour(vertex_complete(plane)), draw_operation(random)};
+  const auto one = [&] { return one_contour(random.one_in(4) ? keyhole(plane) : vertex_complete(plane)); };
+  ClassicCase c{one(), one(), draw_operation(random)};
+  if (random.one_in(10)) c.b = c.a;
+  if (random.one_in(3)) c.a = reversed(c.a);
+  if (random.one_in(3)) c.b = reversed(c.b);
+  return c;
 }
 
 }  // namespace
@@ -144,13 +149,68 @@ Options engine_options(ClassicMethod method, const ClassicCase& c) {
   return options;
 }
 
+RegionSet by_pipeline(const RegionView& a, const RegionView& b, Operation operation, Options options) {
+  Statistics statistics;
+  options.statistics = &statistics;
+  return overlay(a, b, operation, options);
+}
+
 RegionSet expected(ClassicMethod method, const ClassicCase& c) {
-  return overlay(c.a, c.b, c.operation, engine_options(method, c));
+  return by_pipeline(c.a, c.b, c.operation, engine_options(method, c));
+}
+
+namespace {
+
+/// A small convex quadrilateral about the middle of two random points, so that much of what surrounds it is far.
+std::vector<Point> small_window(Plane& plane) {
+  for (;;) {
+    const Point p = plane.point(), q = plane.point();
+    const Point m{(p.x + q.x) / 2, (p.y + q.y) / 2};
+    const double w = (q.x - p.x) / 9, h = (q.y - p.y) / 9;
+    if (w != 0 && h != 0)
+      return {m, {m.x + w, m.y + h * 0.1}, {m.x + w * 0.7, m.y + h}, {m.x - w * 0.2, m.y + h * 0.8}};
+  }
+}
+
+RegionSet any_polygons(Plane& plane) {
+  Random& random = plane.random();
+  RegionSet r;
+  for (int i = random.between(1, 4); i > 0; --i)
+    append(r, random.one_in(2) ? simple(plane, random.between(3, 80)) : tangle(plane, random.between(3, 6)));
+  if (random.one_in(2)) r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
+  return r;
+}
+
+}  // namespace
+
+ClassicCase window_case(Random& random) {
+  if (random.one_in(3)) return inside(ClassicMethod::orourke, random);
+  const Spread spread = draw_spread(random);
+  Plane plane(random, spread, random.between(3, random.one_in(2) ? 60 : 9));
+  ClassicCase c{{}, one_contour(convex(plane)), Operation::intersection, spread};
+  switch (random.below(4)) {
+    case 0:
+      c.a = any_polygons(plane);
+      break;
+    case 1:
+      c.a = regular(plane);
+      break;
+    case 2:
+      c.a = one_contour(simple(plane, random.between(10, 200)));
+      break;
+    default:
+      c.a = one_contour(simple(plane, random.between(10, 200)));
+      if (random.one_in(2)) append(c.a, tangle(plane, 5));
+      c.b = one_contour(small_window(plane));
+  }
+  if (random.one_in(2)) c.b = reversed(c.b);
+  if (random.one_in(2)) std::swap(c.a, c.b);
+  return c;
 }
 
 OutsideCase outside(ClassicMethod method, Random& random) {
   const bool in_b = random.one_in(2);
-  OutsideCase o{inside(method, random), ""};
+  OutsideCase o{inside(method, random), "", OutsideCase::Names::vertex};
   ClassicCase& c = o.operands;
   Plane plane(random, random.one_in(2) ? Spread::grid : Spread::reals, 12);
   const auto put = [&](RegionSet r, const char* why) {
@@ -175,11 +235,13 @@ OutsideCase outside(ClassicMethod method, Random& random) {
           break;
         case 2:
           put(random.one_in(2) ? two : one_polygon(two), "two contours");
+          o.names = OutsideCase::Names::contour;
           break;
         default:
           if (method == ClassicMethod::orourke) {
             c.operation = Operation::symmetric_difference;
             o.why = "an operation it has not";
+            o.names = OutsideCase::Names::nothing;
           } else {
             c.a = two_that_overlap(plane);
             o.why = "several polygons that overlap";
@@ -187,7 +249,7 @@ OutsideCase outside(ClassicMethod method, Random& random) {
       }
       break;
     case ClassicMethod::weiler_atherton:
-      switch (random.below(4)) {
+      switch (random.below(5)) {
         case 0:
           put(one_contour(crossed(plane)), "a contour that crosses itself");
           break;
@@ -197,17 +259,28 @@ OutsideCase outside(ClassicMethod method, Random& random) {
         case 2:
           put(two_that_overlap(plane), "contours that cross");
           break;
+        case 3:
+          c.operation = Operation::symmetric_difference;
+          o.why = "an operation it has not";
+          o.names = OutsideCase::Names::nothing;
+          break;
         default:
           put(vertex_on_own_edge(plane), "a vertex inside an edge of another contour");
       }
       break;
     case ClassicMethod::margalit_knott:
-      switch (random.below(3)) {
+      switch (random.below(4)) {
         case 0:
           put(one_contour(crossed(plane)), "edges that cross");
           break;
         case 1:
           put(random.one_in(2) ? two : one_polygon(two), "two contours");
+          o.names = OutsideCase::Names::contour;
+          break;
+        case 2:
+          c.operation = Operation::symmetric_difference;
+          o.why = "an operation it has not";
+          o.names = OutsideCase::Names::nothing;
           break;
         default:
           put(one_contour(overlapping_edges(plane)), "edges that overlap in part");

@@ -50,10 +50,11 @@ Spread draw_spread(Random& random);
 /// A case in the method's domain.
 ClassicCase inside(ClassicMethod method, Random& random);
 
-/// A case outside it, and why.
+/// A case outside it, why, and what the error must name.
 struct OutsideCase {
   ClassicCase operands;
   std::string why;
+  enum class Names { vertex, contour, nothing } names;
 };
 OutsideCase outside(ClassicMethod method, Random& random);
 
@@ -62,7 +63,14 @@ Options engine_options(ClassicMethod method, const ClassicCase& c);
 
 RegionSet one_contour(std::vector<Point> points);
 
-/// The result of `overlay`; what the method must give.
+/// A case for the fast paths of `overlay`: one operand is convex, the other anything: convex too, general polygons,
+/// several that overlap or nest, or one that is a mess far from a small window.
+ClassicCase window_case(Random& random);
+
+/// The result of `overlay` by all stages of the pipeline: with statistics asked for, no fast path is taken.
+RegionSet by_pipeline(const RegionView& a, const RegionView& b, Operation operation, Options options = {});
+
+/// The same for a case: what the method must give.
 RegionSet expected(ClassicMethod method, const ClassicCase& c);
 
 }  // namespace oblast::tests

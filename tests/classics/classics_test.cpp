@@ -26,7 +26,7 @@ void expect_like_overlay(const RegionSet& a, const RegionSet& b, std::initialize
     for (const Operation operation : operations) {
       if (method == ClassicMethod::sutherland_hodgman && operation != Operation::intersection) continue;
       ClassicReport report;
-      EXPECT_EQ(classic(method, a, b, operation, &report), overlay(a, b, operation))
+      EXPECT_EQ(classic(method, a, b, operation, &report), by_pipeline(a, b, operation))
           << name_of(method) << " operation " << static_cast<int>(operation) << "\nA " << wkt(a) << "\nB " << wkt(b);
       EXPECT_FALSE(report.handed_over) << name_of(method) << "\nA " << wkt(a) << "\nB " << wkt(b);
     }
@@ -159,7 +159,9 @@ TEST(ClipWindow, ClipsLikeOverlay) {
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     Random random(seed);
     const ClassicCase c = inside(ClassicMethod::sutherland_hodgman, random);
-    EXPECT_EQ(ClipWindow(c.b).clip(c.a), overlay(c.a, c.b, Operation::intersection)) << wkt(c.a) << '\n' << wkt(c.b);
+    EXPECT_EQ(ClipWindow(c.b).clip(c.a), by_pipeline(c.a, c.b, Operation::intersection))
+        << wkt(c.a) << '\n'
+        << wkt(c.b);
   }
 }
 
@@ -170,7 +172,7 @@ TEST(ClipWindow, OneWindowManyPolygons) {
     Random random(seed);
     Plane plane(random, random.one_in(2) ? Spread::grid : Spread::reals, 9);
     const RegionSet subject = one_contour(simple(plane, 12));
-    EXPECT_EQ(window.clip(subject), overlay(subject, as_regions, Operation::intersection)) << wkt(subject);
+    EXPECT_EQ(window.clip(subject), by_pipeline(subject, as_regions, Operation::intersection)) << wkt(subject);
   }
 }
 

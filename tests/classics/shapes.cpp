@@ -124,6 +124,25 @@ std::vector<Point> vertex_complete(Plane& plane) {
   }
 }
 
+//   .-----------------.
+//   |  .--.  .--.     |      bridges from the lower side up to the first corner of each hole; every corner is a
+//   |  |  |  |  |     |      place of the lattice, a hole of 1 x 1 or 1 x 2 cells every second column
+//   |  1--'  1--'     |
+//   0--+-----+--------'
+std::vector<Point> keyhole(Plane& plane) {
+  Random& random = plane.random();
+  const int holes = random.between(1, 3), height = random.between(3, 5);
+  std::vector<Point> contour{plane.at(0, 0)};
+  for (int hole = 0; hole < holes; ++hole) {
+    const int x = 2 * hole + 1, top = random.between(2, height - 1);
+    const Point foot = plane.at(x, 0), first = plane.at(x, 1);
+    contour.insert(contour.end(),
+                   {foot, first, plane.at(x, top), plane.at(x + 1, top), plane.at(x + 1, 1), first, foot});
+  }
+  contour.insert(contour.end(), {plane.at(2 * holes + 1, 0), plane.at(2 * holes + 1, height), plane.at(0, height)});
+  return contour;
+}
+
 std::vector<Point> notched(Plane& plane) {
   for (;;) {
     std::vector<Point> ring = convex(plane);

@@ -20,6 +20,8 @@ std::vector<Point> simple(Plane& plane, int n);
 std::vector<Point> tangle(Plane& plane, int n);
 /// Edges disjoint, or meeting at their ends, or coinciding: a walk along edges of a triangulated grid.
 std::vector<Point> vertex_complete(Plane& plane);
+/// A ring with one to three holes, drawn as one contour with a bridge to each hole, walked there and back.
+std::vector<Point> keyhole(Plane& plane);
 
 // Outside some domain:
 std::vector<Point> notched(Plane& plane);            ///< simple, one vertex turns the other way

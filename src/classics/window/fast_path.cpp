@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "classics/window/window_clip.h"
-#include "overlay/simple_ring.h"
 
 namespace oblast::classics {
 namespace {
@@ -14,12 +13,6 @@ bool are_default(const Options& options) {
   return options.engine == Engine::leonov_nikitin && options.collinear == CollinearVertices::keep &&
          options.fill_a.kind == FillRule::Kind::polygons && options.fill_b.kind == FillRule::Kind::polygons &&
          !options.statistics && !options.progress;
-}
-
-SubjectKind kind_of(const RegionView& operand) {
-  if (operand.contour_count() != 1) return SubjectKind::any;
-  const auto contour = without_closing_point(operand.contour(0));
-  return contour.size() >= 3 && convex_turn(contour) != 0 ? SubjectKind::convex : SubjectKind::any;
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ namespace oblast::classics {
 /// What is known of the subject: a convex contour needs no look at its own edges.
 enum class SubjectKind { any, convex };
 
+/// Cost: linear for a convex contour, a few vertices for most others.
+SubjectKind kind_of(const RegionView& operand);
+
 /// Scratch memory that small calls need no more than; it may lie on the stack.
 inline constexpr std::size_t scratch_bytes = 12288;
 

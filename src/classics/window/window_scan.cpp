@@ -6,10 +6,17 @@
 #include "classics/window/window_clip.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
+#include "overlay/simple_ring.h"
 
 namespace oblast::classics {
 
 using exact::orientation;
+
+SubjectKind kind_of(const RegionView& operand) {
+  if (operand.contour_count() != 1) return SubjectKind::any;
+  const auto contour = without_closing_point(operand.contour(0));
+  return contour.size() >= 3 && convex_turn(contour) != 0 ? SubjectKind::convex : SubjectKind::any;
+}
 
 WindowClip::WindowClip(const RegionView& subject, SubjectKind kind, const Window& window,
                        std::pmr::memory_resource* memory)

@@ -1,0 +1,65 @@
+#include <oblast/classics.h>
+
+#include <array>
+#include <cstddef>
+
+#include "classics/operand.h"
+#include "classics/settle.h"
+#include "classics/window/window_clip.h"
+#include "overlay/validate.h"
+
+namespace oblast {
+
+struct ClipWindow::Prepared {
+  RegionSet regions;                       ///< as given, for the settled noding
+  std::optional<classics::Window> window;  ///< nothing where it has too many sides
+};
+
+namespace {
+
+std::optional<classics::Window> prepare(const RegionView& window) {
+  validate(window, 1);
+  const classics::Operand operand{window, 1, "clip window", "overlay"};
+  return classics::Window::of(operand.one_convex_contour().points);
+}
+
+RegionSet copy(const RegionView& v) {
+  return {{v.points.begin(), v.points.end()},
+          {v.contour_ends.begin(), v.contour_ends.end()},
+          {v.polygon_ends.begin(), v.polygon_ends.end()}};
+}
+
+RegionSet rectangle(double x0, double y0, double x1, double y1) {
+  if (!(x0 < x1) || !(y0 < y1))
+    throw Error(ErrorCode::precondition, "the clip window is empty: it needs x0 < x1 and y0 < y1", {1});
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
+}
+
+}  // namespace
+
+ClipWindow::ClipWindow(const RegionView& window)
+    : prepared_(std::make_unique<const Prepared>(Prepared{copy(window), prepare(window)})) {}
+
+ClipWindow::ClipWindow(double x0, double y0, double x1, double y1) : ClipWindow(rectangle(x0, y0, x1, y1)) {}
+
+ClipWindow::~ClipWindow() = default;
+ClipWindow::ClipWindow(ClipWindow&&) noexcept = default;
+ClipWindow& ClipWindow::operator=(ClipWindow&&) noexcept = default;
+
+RegionSet ClipWindow::clip(const RegionView& subject, ClassicReport* report) const {
+  ClassicReport unused;
+  ClassicReport& done = report ? *report : unused;
+  done = {};
+  validate(subject, 0);
+  if (prepared_->window) {
+    std::array<std::byte, classics::scratch_bytes> scratch;
+    std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size());
+    classics::WindowClip clip(subject, classics::kind_of(subject), *prepared_->window, &memory);
+    std::optional<RegionSet> result = clip.run(Operation::intersection);
+    done.meetings = clip.crossing_count();
+    if (result) return *std::move(result);
+  }
+  return classics::settle(subject, prepared_->regions, Operation::intersection, done);
+}
+
+}  // namespace oblast

@@ -1,0 +1,110 @@
+// The overlay with a convex window: by hand, at random against the pipeline, and declined where it must be.
+#include <gtest/gtest.h>
+#include <oblast/oblast.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "classics/cases.h"
+#include "classics/shapes.h"
+#include "classics/trial.h"
+#include "classics/window/fast_path.h"
+#include "classics/wkt.h"
+
+namespace {
+
+using namespace oblast;
+using namespace oblast::tests;
+using classics::fast_overlay;
+
+RegionSet rectangle(double x0, double y0, double x1, double y1) {
+  return one_contour({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+void expect_taken(const RegionSet& a, const RegionSet& b, Operation operation) {
+  const std::optional<RegionSet> got = fast_overlay(a, b, operation, {});
+  ASSERT_TRUE(got.has_value()) << wkt(a) << '\n' << wkt(b);
+  EXPECT_EQ(*got, by_pipeline(a, b, operation)) << wkt(a) << '\n' << wkt(b);
+}
+
+void expect_declined(const RegionSet& a, const RegionSet& b, Operation operation, const Options& options = {}) {
+  EXPECT_FALSE(fast_overlay(a, b, operation, options).has_value()) << wkt(a) << '\n' << wkt(b);
+}
+
+constexpr Operation three[] = {Operation::intersection, Operation::unite, Operation::difference};
+
+/// A star of n vertices about the origin, radius 0.5 to 1.
+RegionSet star(int n) {
+  std::vector<Point> ring;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * std::numbers::pi * i / n, r = i % 2 ? 0.5 : 1;
+    ring.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return one_contour(ring);
+}
+
+TEST(WindowClip, ConvexPairsInGeneralPosition) {
+  const RegionSet a = rectangle(0, 0, 4, 4);
+  for (const RegionSet& b : {rectangle(1, 1, 3, 3), rectangle(-1, -1, 5, 5), rectangle(1, -1, 3, 5),
+                             rectangle(2, 2, 6, 6), rectangle(5, 5, 6, 6), one_contour({{2, -1}, {5, 2}, {2, 5}})})
+    for (const Operation operation : three) {
+      expect_taken(a, b, operation);
+      expect_taken(b, a, operation);
+    }
+}
+
+TEST(WindowClip, WindowAcrossAStarOfManyVertices) {
+  for (const int n : {7, 100, 3000})
+    for (const double half : {0.1, 0.45, 0.71, 0.9, 2.0}) {
+      expect_taken(star(n), rectangle(-half, -half, half, half * 1.01), Operation::intersection);
+      expect_taken(rectangle(half, -half, half * 2, half), star(n), Operation::intersection);
+    }
+}
+
+TEST(WindowClip, HolesAndSeveralPolygons) {
+  RegionSet ring = rectangle(0, 0, 10, 10);
+  append(ring, {{2, 2}, {8, 2}, {8, 8}, {2, 8}});
+  ring.polygon_ends = {2};
+  append(ring, {{4, 4}, {6, 4}, {6, 6}, {4, 6}});  // an island in the hole
+  expect_taken(ring, rectangle(1, 1, 9, 9), Operation::intersection);
+  expect_taken(ring, rectangle(1, 1, 5, 5), Operation::intersection);
+  expect_taken(ring, rectangle(3, 3, 7, 7), Operation::intersection);
+  expect_taken(ring, rectangle(0.5, 0.5, 1.5, 1.5), Operation::intersection);
+}
+
+TEST(WindowClip, FarFromTheWindowAnythingMayHappen) {
+  // A bow-tie's crossing, an overlap of polygons: the parity at the window is what counts.
+  RegionSet a = one_contour({{0, 0}, {20, 0}, {20, 20}, {30, 20}, {0, 1}});
+  append(a, {{18, -1}, {19, -1}, {19, 3}, {18, 3}});
+  expect_taken(a, rectangle(2, 0.2, 3, 1), Operation::intersection);
+}
+
+TEST(WindowClip, Declines) {
+  const RegionSet a = rectangle(0, 0, 4, 4);
+  expect_declined(a, rectangle(4, 0, 6, 4), Operation::intersection);  // a shared side
+  expect_declined(a, rectangle(4, 4, 6, 6), Operation::intersection);  // a corner on a corner
+  expect_declined(a, a, Operation::intersection);
+  expect_declined(a, rectangle(1, 1, 3, 3), Operation::symmetric_difference);
+  RegionSet overlapping = rectangle(0, 0, 4, 4);
+  append(overlapping, {{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  expect_declined(overlapping, rectangle(0.5, 0.5, 3, 3), Operation::intersection);   // one in the other
+  expect_declined(overlapping, rectangle(0.5, 0.5, 1.5, 3), Operation::intersection);  // and both across
+  const RegionSet bow_tie = one_contour({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
+  expect_declined(bow_tie, rectangle(1, 1, 3, 3.5), Operation::intersection);
+  Options positive, vatti, drop;
+  positive.fill_a = FillRule::positive();
+  vatti.engine = Engine::vatti;
+  drop.collinear = CollinearVertices::drop;
+  for (const Options& options : {positive, vatti, drop})
+    expect_declined(a, rectangle(1, 1, 5, 3), Operation::intersection, options);
+}
+
+TEST(WindowClip, RandomCasesLikeThePipeline) {
+  const WindowTrialCount count = run_window_trial(8000, 7);
+  EXPECT_EQ(count.wrong, 0) << count.first_failure;
+  EXPECT_GT(count.taken[static_cast<int>(Spread::grid)], 500);
+  EXPECT_GT(count.taken[static_cast<int>(Spread::reals)], 500);
+  EXPECT_GT(count.not_empty, 1000);
+}
+
+}  // namespace
