@@ -35,9 +35,11 @@ std::optional<Window> Window::of(std::span<const Point> contour, std::pmr::memor
   const auto largest = std::max_element(corners.begin(), corners.end(), lexicographically_less);
   window.largest_ = static_cast<std::uint32_t>(largest - corners.begin());
   window.box_ = noding::Box::of(corners.front(), *largest);
-  for (const Point& p : corners) {
-    window.box_.y0 = std::min(window.box_.y0, p.y);
-    window.box_.y1 = std::max(window.box_.y1, p.y);
+  window.sides_.reserve(corners.size());
+  for (std::uint32_t i = 0; i < window.size(); ++i) {
+    window.sides_.push_back(noding::Box::of(window.corner(i), window.corner_after(i)));
+    window.box_.y0 = std::min(window.box_.y0, corners[i].y);
+    window.box_.y1 = std::max(window.box_.y1, corners[i].y);
   }
   return window;
 }

@@ -38,7 +38,7 @@ class Window {
   bool each_side_near(const noding::Box& box, const Visit& visit) const {
     const auto try_sides = [&](std::uint32_t first, std::uint32_t last) {
       for (std::uint32_t i = first; i < last; ++i)
-        if (box.meets(noding::Box::of(corner(i), corner_after(i))) && !visit(i)) return false;
+        if (box.meets(sides_[i]) && !visit(i)) return false;
       return true;
     };
     if (size() <= few_sides) return try_sides(0, size());
@@ -62,9 +62,10 @@ class Window {
  private:
   static constexpr std::uint32_t few_sides = 12;
 
-  explicit Window(std::pmr::memory_resource* memory) : corners_(memory) {}
+  explicit Window(std::pmr::memory_resource* memory) : corners_(memory), sides_(memory) {}
 
   std::pmr::vector<Point> corners_;
+  std::pmr::vector<noding::Box> sides_;  ///< boxes of the sides
   std::uint32_t largest_ = 0;
   noding::Box box_{};
 };

@@ -1,10 +1,9 @@
 // The edges that count keep clear of all near ones: then noding would cut them at the window only.
-#include <atomic>
+#include <algorithm>
 
 #include "classics/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/orientation.h"
-#include "noding/pair_finder.h"
 
 namespace oblast::classics {
 
@@ -60,47 +59,64 @@ bool WindowClip::edge_is_clear(const Ring& a, Index i, const Ring& b, Index firs
   return true;
 }
 
+/// The same for many edges: runs of up to eight, blocks of up to four runs, and a sweep over the blocks. Declines where
+/// boxes tell too little, as of long edges side by side: then the search of noding, which cuts edges, is quicker.
 bool WindowClip::near_pairs_are_clear() const {
-  using noding::Run;
-  constexpr noding::Group off_core = 1;  // these need not keep clear of each other
+  constexpr Index run_size = 8, runs_a_block = 4;
+  constexpr std::size_t tests_an_edge = 64;
+  struct Run {
+    Box box;
+    Index ring, first, last;
+    bool core;
+  };
+  struct Block {
+    Box box;
+    Index first, last;  // runs
+    bool core;
+  };
   std::vector<Run> runs;
-  for (const Stretch& stretch : stretches_) {
-    const Ring& ring = rings_[stretch.ring];
-    for (Index first = stretch.first; first < stretch.last;) {
+  std::vector<Block> blocks;
+  std::size_t budget = 0;
+  for (const Stretch& s : stretches_) {
+    const Ring& ring = rings_[s.ring];
+    budget += tests_an_edge * (s.last - s.first);
+    for (Index first = s.first; first < s.last; first += run_size) {
+      const Index last = std::min(first + run_size, s.last);
       Box box = Box::of(ring.from(first), ring.to(first));
-      const bool rises = ring.from(first).y <= ring.to(first).y, right = ring.from(first).x <= ring.to(first).x;
-      Index last = first + 1;
-      for (; last < stretch.last && last - first < noding::longest_run; ++last) {
-        const Point &p = ring.from(last), &q = ring.to(last);
-        if ((p.y <= q.y) != rises || (p.x <= q.x) != right) break;
-        // In a monotone run only neighbours can come near each other, unless an edge is hardly longer than the gap.
-        if (stretch.core && !pair_is_clear(ring, last - 1, ring, last)) return false;
-        if (std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) <= 4 * gap_) return false;
-        const Box edge = Box::of(p, q);
-        box = {std::min(box.x0, edge.x0), std::min(box.y0, edge.y0), std::max(box.x1, edge.x1),
-               std::max(box.y1, edge.y1)};
-      }
-      runs.push_back({grown(box), ring.offset + first, ring.offset + last, stretch.core ? noding::any_group : off_core});
-      first = last;
+      for (Index i = first; i < last; ++i) box = around(box, Box::of(ring.to(i), ring.to(i)));
+      box = grown(box);
+      const auto run = static_cast<Index>(runs.size());
+      runs.push_back({box, s.ring, first, last, s.core});
+      if (run % runs_a_block == 0) blocks.push_back({box, run, run, false});
+      blocks.back() = {around(blocks.back().box, box), blocks.back().first, run + 1, blocks.back().core || s.core};
     }
   }
-  const auto ring_of = [&](Index edge) -> const Ring& {
-    return *(std::upper_bound(rings_.begin(), rings_.end(), edge,
-                              [](Index e, const Ring& ring) { return e < ring.offset; }) -
-             1);
+  const bool wide = reach_.x1 - reach_.x0 >= reach_.y1 - reach_.y0;
+  const auto begin = [&](const Block& b) { return wide ? b.box.x0 : b.box.y0; };
+  const auto end = [&](const Block& b) { return wide ? b.box.x1 : b.box.y1; };
+  std::sort(blocks.begin(), blocks.end(), [&](const Block& a, const Block& b) { return begin(a) < begin(b); });
+
+  std::size_t tests = 0;
+  const auto runs_are_clear = [&](Index k, Index l) {
+    const Run &a = runs[k], &b = runs[l];
+    if (!(a.core || b.core) || !a.box.meets(b.box)) return true;
+    tests += static_cast<std::size_t>(a.last - a.first) * (b.last - b.first);
+    for (Index i = a.first; i < a.last; ++i)
+      if (!edge_is_clear(rings_[a.ring], i, rings_[b.ring], k == l ? i + 1 : b.first, b.last)) return false;
+    return true;
   };
-  std::atomic<bool> clear = true;
-  const auto visit = [&](std::span<const noding::RunPair> pairs) {
-    for (const noding::RunPair& pair : pairs) {
-      if (!clear.load(std::memory_order_relaxed)) return;
-      const Ring &a = ring_of(pair.first_p), &b = ring_of(pair.first_q);
-      for (Index i = pair.first_p; i < pair.last_p; ++i)
-        if (!edge_is_clear(a, i - a.offset, b, pair.first_q - b.offset, pair.last_q - b.offset))
-          clear.store(false, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Block& a = blocks[i];
+    for (std::size_t j = i; j < blocks.size() && begin(blocks[j]) <= end(a); ++j) {
+      const Block& b = blocks[j];
+      if (++tests > budget) return false;
+      if (!(a.core || b.core) || !a.box.meets(b.box)) continue;
+      for (Index k = a.first; k < a.last; ++k)
+        for (Index l = i == j ? k : b.first; l < b.last; ++l)
+          if (!runs_are_clear(k, l)) return false;
     }
-  };
-  noding::find_pairs(subject_.points, std::move(runs), visit, noding::PairGoal::boxes);
-  return clear;
+  }
+  return true;
 }
 
 }  // namespace oblast::classics

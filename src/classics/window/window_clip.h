@@ -90,6 +90,9 @@ class WindowClip {
   bool walk_block(Index ring, Index first, Index last, bool& inside);
   bool cross_window(Index ring, Index edge);
   bool is_clear_at(const Point& x, Index side, const Ring& ring, Index edge) const;
+  static Box around(const Box& a, const Box& b) {
+    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+  }
   Box grown(const Box& b) const { return {b.x0 - gap_, b.y0 - gap_, b.x1 + gap_, b.y1 + gap_}; }
 
   // window_clear.cpp
@@ -108,7 +111,7 @@ class WindowClip {
   void add_uncrossed_pair(Operation operation, RegionSet& result) const;
   void add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result) const;
   void add_window(bool counter_clockwise, RegionSet& result) const;
-  std::optional<RegionSet> finish(RegionSet result) const;
+  std::optional<RegionSet> finish(Operation operation, RegionSet result) const;
 
   static constexpr Index block_size = 32;
 

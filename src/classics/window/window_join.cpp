@@ -22,7 +22,7 @@ std::optional<RegionSet> WindowClip::run(Operation operation) {
     add_uncrossed(result);
   else if (crossings_.empty())
     add_uncrossed_pair(operation, result);
-  return finish(std::move(result));
+  return finish(operation, std::move(result));
 }
 
 /// Sorts the crossings and tells where the inside of the subject ends and begins. False when two were rounded to one
@@ -59,6 +59,9 @@ bool WindowClip::order_along_perimeter() {
 }
 
 void WindowClip::join(Operation operation, RegionSet& result) {
+  std::size_t size = 2 * crossings_.size() + window_.size();
+  for (const Stretch& s : stretches_) size += s.core || kind_ == SubjectKind::convex ? s.last - s.first : 0;
+  result.points.reserve(size);
   const bool inside_paths = operation == Operation::intersection, along = operation != Operation::difference;
   const auto count = static_cast<Index>(perimeter_.size());
   for (const Index start : perimeter_) {
@@ -140,24 +143,44 @@ void WindowClip::add_uncrossed_pair(Operation operation, RegionSet& result) cons
 }
 
 /// Canonical order. Nothing when polygons overlap after all.
-std::optional<RegionSet> WindowClip::finish(RegionSet result) const {
+std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet result) const {
   const auto less = lexicographically_less;
-  const auto contours = static_cast<Index>(result.contour_ends.size());
-  if (contours == 1) {
-    std::rotate(result.points.begin(), std::min_element(result.points.begin(), result.points.end(), less),
-                result.points.end());
-    result.polygon_ends = {1};
-  } else if (contours > 1) {
+  const std::vector<Index> ends = std::move(result.contour_ends);
+  Index begin = 0;
+  std::vector<std::span<Point>> contours;
+  for (const Index end : ends) {
+    contours.push_back(std::span(result.points).subspan(begin, end - begin));
+    begin = end;
+  }
+  // Of one ring no two contours nest, but for a window taken out of its inside.
+  const bool outer = ends.size() == 1 || (rings_.size() == 1 && (!crossings_.empty() || operation == Operation::unite));
+  if (!outer) {
     Contours loose;
-    Index begin = 0;
-    for (const Index end : result.contour_ends) {
-      for (Index i = begin; i < end; ++i) loose.add(result.points[i]);
+    for (const auto& contour : contours) {
+      for (const Point& p : contour) loose.add(p);
       loose.close();
-      begin = end;
     }
     return loose.to_region_set_if_regular();
   }
-  return result;
+  for (const auto& contour : contours)
+    std::rotate(contour.begin(), std::min_element(contour.begin(), contour.end(), less), contour.end());
+  RegionSet sorted;
+  if (contours.size() == 1) {
+    sorted.points = std::move(result.points);
+    sorted.contour_ends = ends;
+    sorted.polygon_ends = {1};
+    return sorted;
+  }
+  std::sort(contours.begin(), contours.end(), [&](const auto& c, const auto& d) { return less(c[0], d[0]); });
+  sorted.points.reserve(result.points.size());
+  sorted.contour_ends.reserve(contours.size());
+  sorted.polygon_ends.resize(contours.size());
+  std::iota(sorted.polygon_ends.begin(), sorted.polygon_ends.end(), Index{1});
+  for (const auto& contour : contours) {
+    sorted.points.insert(sorted.points.end(), contour.begin(), contour.end());
+    sorted.contour_ends.push_back(static_cast<Index>(sorted.points.size()));
+  }
+  return sorted;
 }
 
 void WindowClip::add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result) const {

@@ -45,13 +45,15 @@ void WindowClip::measure() {
       for (Index first = 0; first < n; first += block_size) {
         const Index last = std::min(first + block_size, n);
         const Point& end = last == n ? points[0] : points[last];
-        Box box = Box::of(end, end);
-        for (Index i = first; i < last; ++i) {
-          box = {std::min(box.x0, points[i].x), std::min(box.y0, points[i].y), std::max(box.x1, points[i].x),
-                 std::max(box.y1, points[i].y)};
+        // Two boxes at once: neither need wait for the other's last comparison.
+        Box even = Box::of(end, end), odd = even;
+        for (Index i = first; i + 1 < last; i += 2) {
+          even = around(even, {points[i].x, points[i].y, points[i].x, points[i].y});
+          odd = around(odd, {points[i + 1].x, points[i + 1].y, points[i + 1].x, points[i + 1].y});
         }
-        blocks_.push_back(box);
-        all = {std::min(all.x0, box.x0), std::min(all.y0, box.y0), std::max(all.x1, box.x1), std::max(all.y1, box.y1)};
+        even = around(even, Box::of(points[last - 1], points[last - 1]));
+        blocks_.push_back(around(even, odd));
+        all = around(all, blocks_.back());
       }
     }
   }
@@ -69,9 +71,8 @@ bool WindowClip::find_reach(Operation operation) {
       const Index last = std::min(first + block_size, ring.size());
       const Box& block = blocks_[b];
       if (block.x0 <= ray.x && block.x1 > ray.x && block.y1 > ray.y) count_parity(ring, first, last);
-      if (any && operation != Operation::intersection) {
-        reach = {std::min(reach.x0, block.x0), std::min(reach.y0, block.y0), std::max(reach.x1, block.x1),
-                 std::max(reach.y1, block.y1)};
+      if (operation != Operation::intersection) {
+        reach = around(reach, block);
         continue;
       }
       if (!near.meets(block)) continue;
@@ -79,8 +80,7 @@ bool WindowClip::find_reach(Operation operation) {
         const Box edge = Box::of(ring.from(i), ring.to(i));
         if (!near.meets(edge)) continue;
         any = true;
-        reach = {std::min(reach.x0, edge.x0), std::min(reach.y0, edge.y0), std::max(reach.x1, edge.x1),
-                 std::max(reach.y1, edge.y1)};
+        reach = around(reach, edge);
       }
     }
   }
