@@ -27,11 +27,11 @@ void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
 #endif
 }
 
-/// The same, and makes them.
+/// The same for an empty array, and makes them.
 template <class T>
-void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
+void resize_in_large_pages(std::vector<T>& items, std::size_t count, const T& value = {}) {
   reserve_in_large_pages(items, count);
-  items.resize(count);
+  items.resize(count, value);
 }
 
 }  // namespace oblast

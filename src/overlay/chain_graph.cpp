@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/angular_order.h"
 
@@ -40,8 +41,8 @@ Stops cut_into_chains(ChainGraph& graph) {
       strands.flags.begin(), strands.flags.end(), [](std::uint8_t f) { return (f & noding::node_flag) != 0; }));
   Stops stops;
   stops.vertex.reserve(flagged);
-  stops.chain.reserve(flagged);
-  graph.chains.reserve(flagged + strands.size());
+  reserve_in_large_pages(stops.chain, flagged);
+  reserve_in_large_pages(graph.chains, flagged + strands.size());
   const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t from, std::uint32_t to, Winding change) {
     graph.chains.push_back({first, last, from, to, static_cast<std::uint32_t>(graph.chains.size()), change});
   };
@@ -68,15 +69,20 @@ Stops cut_into_chains(ChainGraph& graph) {
 
 /// Step 2: stops to nodes, and room for their lists.
 void number_nodes(ChainGraph& graph, Stops& stops) {
-  std::vector<Point> places(stops.vertex.size());
+  std::vector<Point> places;
+  resize_in_large_pages(places, stops.vertex.size());
   for (std::size_t k = 0; k < places.size(); ++k) places[k] = graph.point(stops.vertex[k]);
   std::vector<noding::Keyed> order = noding::curve_order(places);
   const auto in_order = [&](const noding::Keyed& p, const noding::Keyed& q) {
     const Point &p_place = places[p.index], &q_place = places[q.index];
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };
-  std::vector<std::uint32_t> node_of(places.size());
+  std::vector<std::uint32_t> node_of;
+  resize_in_large_pages(node_of, places.size());
   stops.order.reserve(order.size());
+  reserve_in_large_pages(graph.node_vertex, order.size());
+  reserve_in_large_pages(graph.list_ends, order.size());
+  stops.ends.reserve(order.size());
   std::uint32_t list_end = 0;
   for (std::size_t first = 0, last; first < order.size(); first = last) {
     for (last = first + 1; last < order.size() && order[last].key == order[first].key; ++last) continue;
@@ -128,7 +134,7 @@ void sort_by_angle(const Point& x, std::vector<Aimed>& list) {
 
 /// Step 3: the connectivity lists L(x), each sorted by angle. True when chains were merged.
 bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
-  graph.lists.resize(graph.list_ends.empty() ? 0 : graph.list_ends.back());
+  resize_in_large_pages(graph.lists, graph.list_ends.empty() ? 0 : graph.list_ends.back());
   std::atomic<bool> merged = false;
   constexpr std::size_t nodes_a_task = 4096;
   const tbb::blocked_range<std::uint32_t> all(0, static_cast<std::uint32_t>(graph.node_count()), nodes_a_task);

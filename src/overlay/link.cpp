@@ -5,18 +5,22 @@
 
 #include <algorithm>
 
+#include "memory/large_pages.h"
+
 namespace oblast {
 namespace {
 
 class Linker {
  public:
   Linker(const ChainGraph& graph, const Selection& selection, ContourConvention convention)
-      : graph_(graph), selection_(selection), convention_(convention), next_(graph.chains.size(), none) {}
+      : graph_(graph), selection_(selection), convention_(convention) {
+    resize_in_large_pages(next_, graph.chains.size(), none);
+  }
 
   LinkedContours run() {
     find_successors();
-    linked_.walk_of_chain.assign(graph_.chains.size(), none);
-    if (convention_ == ContourConvention::ogc) place_on_path_.assign(graph_.node_count(), none);
+    resize_in_large_pages(linked_.walk_of_chain, graph_.chains.size(), none);
+    if (convention_ == ContourConvention::ogc) resize_in_large_pages(place_on_path_, graph_.node_count(), none);
     // By node: walks that begin near each other in the plane have their chains near each other in memory.
     for (const Descriptor d : graph_.lists)
       if (leaves(d) && linked_.walk_of_chain[chain_of(d)] == none) collect(chain_of(d));

@@ -1,5 +1,7 @@
 #include "overlay/select.h"
 
+#include "memory/large_pages.h"
+
 namespace oblast {
 
 Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
@@ -7,7 +9,8 @@ Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Ope
   const auto in_result = [&](Winding w) {
     return admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b));
   };
-  Selection selection(graph.chains.size(), none);
+  Selection selection;
+  resize_in_large_pages(selection, graph.chains.size(), none);
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
     if (!graph.is_live(c)) continue;
     const bool right_side = in_result(right[c]), left_side = in_result(right[c] + graph.chains[c].change);

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "exact/orientation.h"
+#include "memory/large_pages.h"
 #include "overlay/locate_below.h"
 
 namespace oblast::leonov_nikitin {
@@ -27,11 +28,11 @@ struct Component {
 
 class Labelling {
  public:
-  explicit Labelling(const ChainGraph& graph)
-      : graph_(graph),
-        right_(graph.chains.size()),
-        component_of_(graph.chains.size(), none),
-        component_of_node_(graph.node_count(), none) {}
+  explicit Labelling(const ChainGraph& graph) : graph_(graph) {
+    resize_in_large_pages(right_, graph.chains.size());
+    resize_in_large_pages(component_of_, graph.chains.size(), none);
+    resize_in_large_pages(component_of_node_, graph.node_count(), none);
+  }
 
   std::vector<Winding> run() {
     label_chains();
