@@ -13,6 +13,7 @@ Strands insert_cuts(const Strands& strands, std::span<const EdgeCut> cuts) {
   result.ends.reserve(strands.ends.size());
   result.change = strands.change;
   result.group = strands.group;
+  result.simplicity = strands.simplicity;
   result.parity = strands.parity;
 
   const bool first_round = strands.origin.empty();

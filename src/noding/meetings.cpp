@@ -76,19 +76,21 @@ class RecentPairs {
 /// What one thread found.
 struct Found {
   std::vector<EdgeCut> cuts;
+  std::vector<std::uint32_t> tangled;  ///< strands, repeatedly
   RecentPairs recent;
 };
 
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance)
+  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance, bool finds_tangled)
       : strands_(strands),
         settling_(settling),
         cuts_(found.cuts),
         recent_(found.recent),
         clearance_(clearance),
-        distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()) {}
+        distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()),
+        tangled_(finds_tangled ? &found.tangled : nullptr) {}
 
   /// Every edge of one run against every edge of the other whose boxes meet. First, without branches, the edges of
   /// each that reach into the box of the other: usually few.
@@ -126,6 +128,20 @@ class MeetingTest {
   //   a ---+--- b            +: the meeting
   //        c
   void test_edges(std::uint32_t i, std::uint32_t j) {
+    met_ = false;
+    look_at(i, j);
+    if (met_ && tangled_) note_tangled(i, j);
+  }
+
+  /// A contour assumed to be simple is not if edges of it meet.
+  void note_tangled(std::uint32_t i, std::uint32_t j) {
+    const std::size_t strand = strands_.strand_of(i);
+    if (strands_.simplicity[strand] == Simplicity::known || j < strands_.begin(strand) || j >= strands_.ends[strand])
+      return;
+    tangled_->push_back(static_cast<std::uint32_t>(strand));
+  }
+
+  void look_at(std::uint32_t i, std::uint32_t j) {
     const auto& points = strands_.points;
     const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
     // From the second round on nearly all pairs are edges that meet at a node.
@@ -182,8 +198,8 @@ class MeetingTest {
     // d - c, seen from the line (a, b): its length times the sine.
     const auto sine = static_cast<float>(std::fabs(d_area - c_area) / (ab * cd) * (1 - 0x1p-20));
     const Point x = exact::intersection_point(a, b, c, d);
-    cuts_.push_back({i, sine, x});
-    cuts_.push_back({j, sine, x});
+    cut(i, sine, x);
+    cut(j, sine, x);
     return true;
   }
 
@@ -240,7 +256,7 @@ class MeetingTest {
     for (const std::uint32_t v : {j, j + 1}) consider(v, i);
     if (vertex == no_vertex) return false;
     mark(vertex);
-    cuts_.push_back({edge, 0, points[vertex]});
+    cut(edge, 0, points[vertex]);
     return true;
   }
 
@@ -260,7 +276,7 @@ class MeetingTest {
     else if (x == strands_.points[edge + 1])
       mark(edge + 1);
     else
-      cuts_.push_back({edge, 0, x});
+      cut(edge, 0, x);
   }
 
   /// REQUIRES: p, the point of `vertex`, is collinear with the edge.
@@ -273,7 +289,7 @@ class MeetingTest {
       mark(other);
     } else if (in_box(p, a, b)) {
       mark(vertex);
-      cuts_.push_back({edge, 0, p});
+      cut(edge, 0, p);
     }
   }
 
@@ -281,10 +297,7 @@ class MeetingTest {
   bool same_vertex(std::uint32_t p, std::uint32_t q) const {
     if (p == q) return true;
     if (!(strands_.load_flags(p) & strands_.load_flags(q) & closed_flag)) return false;
-    const auto strand_of = [&](std::uint32_t v) {
-      return std::upper_bound(strands_.ends.begin(), strands_.ends.end(), v) - strands_.ends.begin();
-    };
-    return strand_of(p) == strand_of(q);
+    return strands_.strand_of(p) == strands_.strand_of(q);
   }
 
   /// Leaves records of the common end p, which arrange() reads and drops.
@@ -295,11 +308,18 @@ class MeetingTest {
       clearance_->flag(j);
       return;
     }
-    cuts_.push_back({i, sine, p});
-    cuts_.push_back({j, sine, p});
+    cut(i, sine, p);
+    cut(j, sine, p);
   }
 
-  void mark(std::uint32_t vertex) { strands_.add_flag(vertex, node_flag); }
+  void mark(std::uint32_t vertex) {
+    met_ = true;
+    strands_.add_flag(vertex, node_flag);
+  }
+  void cut(std::uint32_t edge, float sine, const Point& at) {
+    met_ = true;
+    cuts_.push_back({edge, sine, at});
+  }
 
   Strands& strands_;
   Settling settling_;
@@ -307,6 +327,8 @@ class MeetingTest {
   RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
+  std::vector<std::uint32_t>* tangled_;  ///< null where every contour is known to be simple
+  bool met_ = false;                     ///< the two edges looked at meet
 };
 
 /// Sorts the cuts of one edge along it, from a = points[edge] on, and drops repeated ones. Rounding is monotone, so the
@@ -386,16 +408,23 @@ std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Sett
 }  // namespace
 
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
-                                   const std::function<void()>& checkpoint, Clearance* clearance) {
+                                   const std::function<void()>& checkpoint, Clearance* clearance,
+                                   std::vector<std::uint32_t>* tangled) {
   CutLists found;
   const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    MeetingTest test(strands, settling, found.local(), clearance);
+    MeetingTest test(strands, settling, found.local(), clearance, tangled != nullptr);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
   Nearness nearness;
   if (clearance) nearness = {clearance->distance(), [&](std::uint32_t edge) { clearance->flag(edge); }};
   find_pairs(strands.points, std::move(runs), visit, PairGoal::meetings, nearness);
+  if (tangled) {
+    for (const Found& part : found) tangled->insert(tangled->end(), part.tangled.begin(), part.tangled.end());
+    std::sort(tangled->begin(), tangled->end());
+    tangled->erase(std::unique(tangled->begin(), tangled->end()), tangled->end());
+    if (!tangled->empty()) return {};
+  }
   if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.cuts.empty(); })) return {};
   std::vector<EdgeCut> cuts = arrange(strands, found, settling, clearance);
   if (!clearance)

@@ -48,8 +48,10 @@ struct Settling {
 /// function of the set of edges alone.
 /// Edges that may meet others anew once they are cut are flagged near_flag: with a `clearance` those that do not keep
 /// clear (REQUIRES: all runs of any_group, a first round), else all that are cut.
+/// With `tangled`, strands assumed to be simple that are not are put there, sorted; there are no cuts then.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
-                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr);
+                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
+                                   std::vector<std::uint32_t>* tangled = nullptr);
 
 }  // namespace oblast::noding

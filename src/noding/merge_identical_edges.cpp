@@ -75,24 +75,24 @@ struct Merged {
 
 }  // namespace
 
-Strands merge_identical_edges(Strands strands) {
-  const auto& points = strands.points;
+std::vector<std::uint32_t> identical_edges(const Strands& strands) {
   const std::vector<std::uint32_t> candidates = edges_with_shared_hash(strands);
-  EdgeTable table(points, candidates.size());
-  std::vector<std::uint32_t> same;  // by edge, once there is a repeated one: the first edge with its ends
-  std::vector<Winding> sums;        // by edge, for first edges that were repeated
+  EdgeTable table(strands.points, candidates.size());
+  std::vector<std::uint32_t> same;
   for (const std::uint32_t e : candidates) {
     const std::uint32_t first = table.find_or_insert(e);
     if (first == e) continue;
-    if (same.empty()) {
-      same.assign(points.size(), none);
-      sums.assign(points.size(), Winding{});
-    }
+    if (same.empty()) same.assign(strands.points.size(), none);
     same[first] = first;
     same[e] = first;
   }
-  if (same.empty()) return strands;
+  return same;
+}
 
+Strands merge_identical_edges(Strands strands, const std::vector<std::uint32_t>& same) {
+  if (same.empty()) return strands;
+  const auto& points = strands.points;
+  std::vector<Winding> sums(points.size());  // by edge, for first edges that were repeated
   for (std::size_t s = 0; s < strands.size(); ++s) {
     for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
       if (same[e] == none) continue;
@@ -114,9 +114,10 @@ Strands merge_identical_edges(Strands strands) {
       const bool last_vertex = e + 1 == end;
       if (!last_vertex && same[e] == none) continue;
       if (!last_vertex && same[e] == e && !sums[e].is_zero()) merged.push_back({e, sums[e]});
+      const bool whole = first == begin && last_vertex;
       if (e > first) {
         result.points.insert(result.points.end(), points.begin() + first, points.begin() + e + 1);
-        result.close_strand(strands.change[s], strands.group[s]);
+        result.close_strand(strands.change[s], strands.group[s], whole ? strands.simplicity[s] : Simplicity::known);
       }
       first = e + 1;
     }

@@ -29,7 +29,8 @@ std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
   const auto& points = strands.points;
   const auto group_of = [&](std::size_t strand, std::uint32_t edge) {
     if (grouping == Grouping::none) return any_group;
-    if (grouping == Grouping::by_strand) return strands.group[strand];
+    if (grouping == Grouping::by_strand)
+      return strands.simplicity[strand] == Simplicity::known ? strands.group[strand] : any_group;
     return (strands.flags[edge] & moved_flag) ? any_group : settled_group;
   };
   for (std::size_t s = 0; s < strands.size(); ++s) {

@@ -50,8 +50,9 @@ double displacement(const Strands& noded, const std::vector<Point>& input) {
 /// and to look at them too makes the second round short (clearance.h).
 Grouping first_grouping(const Strands& strands) {
   constexpr std::size_t small_strand = 32;
-  const bool ungrouped =
-      std::all_of(strands.group.begin(), strands.group.end(), [](Group group) { return group == any_group; });
+  bool ungrouped = true;
+  for (std::size_t s = 0; s < strands.size(); ++s)
+    ungrouped &= strands.group[s] == any_group || strands.simplicity[s] == Simplicity::assumed;
   return ungrouped || strands.points.size() <= small_strand * strands.size() ? Grouping::none : Grouping::by_strand;
 }
 
@@ -62,13 +63,16 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   flag_closed_strands(strands);
   std::vector<Point> input;  // the vertices as given, once there were cuts
   Grouping grouping = first_grouping(strands);
+  std::vector<std::uint32_t>* tangled = strands.has_assumed() ? &report.tangled : nullptr;
   for (bool moved = true; moved; grouping = Grouping::by_moved) {
     ++report.rounds;
     std::optional<Clearance> clearance;
     if (grouping == Grouping::none) clearance.emplace(strands);
     const std::vector<EdgeCut> cuts =
         find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint,
-                      clearance ? &*clearance : nullptr);
+                      clearance ? &*clearance : nullptr, tangled);
+    if (!report.tangled.empty()) return strands;
+    tangled = nullptr;
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     Strands cut = insert_cuts(strands, cuts);

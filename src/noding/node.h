@@ -7,16 +7,20 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "noding/strands.h"
 
 namespace oblast::noding {
 
 struct NodingReport {
+  explicit NodingReport(bool measured = true) : measures_displacement(measured) {}
+
   std::uint64_t rounds = 0;
   std::uint64_t cuts = 0;           ///< cuts of edges, over all rounds
   double largest_displacement = 0;  ///< of a cut point from the input edge it lies on, coordinate units; if measured
-  bool measures_displacement = true;
+  bool measures_displacement;
+  std::vector<std::uint32_t> tangled;  ///< strands assumed to be simple that are not
 };
 
 /// Asked before each round and between pieces of it, from any thread; may throw to cancel.
@@ -25,6 +29,7 @@ using Checkpoint = std::function<void()>;
 /// Settled strands: any two edges are disjoint, or identical, or share just one end. Every vertex where
 /// edges other than its own two end is flagged node_flag; so are the ends of open strands, and the
 /// first and last vertex of a closed strand that has a node. `origin` is filled when there were cuts.
+/// Where the report has tangled strands, all strands come back as they were.
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint = {});
 
 }  // namespace oblast::noding

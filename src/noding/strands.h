@@ -10,6 +10,7 @@
 
 #include <oblast/point.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -52,13 +53,18 @@ enum VertexFlag : std::uint8_t {
 using Group = std::uint32_t;
 inline constexpr Group any_group = 0;
 
+/// Whether the edges of a strand are known not to meet each other, but where they follow one another. It may be assumed
+/// of a closed strand in its polygon's group; the first round of noding finds out (node.h).
+enum class Simplicity : std::uint8_t { known, assumed };
+
 struct Strands {
   std::vector<Point> points;
-  std::vector<std::uint8_t> flags;    ///< by vertex
-  std::vector<std::uint32_t> origin;  ///< by vertex, once cut: input edge that an added vertex lies on
-  std::vector<std::uint32_t> ends;    ///< by strand: past its last vertex
-  std::vector<Winding> change;        ///< by strand
-  std::vector<Group> group;           ///< by strand
+  std::vector<std::uint8_t> flags;     ///< by vertex
+  std::vector<std::uint32_t> origin;   ///< by vertex, once cut: input edge that an added vertex lies on
+  std::vector<std::uint32_t> ends;     ///< by strand: past its last vertex
+  std::vector<Winding> change;         ///< by strand
+  std::vector<Group> group;            ///< by strand
+  std::vector<Simplicity> simplicity;  ///< by strand
   Parity parity;
 
   /// A vertex's flags while other threads may set some; add_flag() is how they do.
@@ -74,10 +80,18 @@ struct Strands {
   std::size_t size() const { return ends.size(); }
 
   /// Ends the strand whose points were appended last.
-  void close_strand(Winding winding, Group strand_group) {
+  void close_strand(Winding winding, Group strand_group, Simplicity strand_simplicity = Simplicity::known) {
     ends.push_back(static_cast<std::uint32_t>(points.size()));
     change.push_back(winding);
     group.push_back(strand_group);
+    simplicity.push_back(strand_simplicity);
+  }
+  bool has_assumed() const {
+    return std::find(simplicity.begin(), simplicity.end(), Simplicity::assumed) != simplicity.end();
+  }
+  /// The strand that an edge or a vertex is in.
+  std::size_t strand_of(std::uint32_t index) const {
+    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), index) - ends.begin());
   }
 };
 

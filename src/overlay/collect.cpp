@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "overlay/pipeline.h"
+#include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
 
 namespace oblast {
 namespace {
 
 using noding::Group;
+using noding::Simplicity;
 using noding::Strands;
 using noding::Winding;
 
@@ -26,10 +27,10 @@ void clean_ring(std::span<const Point> ring, std::vector<Point>& cleaned) {
   while (cleaned.size() > 1 && cleaned.back() == cleaned.front()) cleaned.pop_back();
 }
 
-void append_closed(std::span<const Point> ring, Winding winding, Group group, Strands& strands) {
+void append_closed(std::span<const Point> ring, Winding winding, Group group, Simplicity simplicity, Strands& strands) {
   strands.points.insert(strands.points.end(), ring.begin(), ring.end());
   strands.points.push_back(ring[0]);
-  strands.close_strand(winding, group);
+  strands.close_strand(winding, group, simplicity);
 }
 
 /// Reads some of an operand's polygons into strands of their own.
@@ -42,13 +43,15 @@ class PolygonReader {
     if (operand_.polygon_end(polygon) - operand_.polygon_begin(polygon) == 1) {
       clean_ring(operand_.contour(operand_.polygon_begin(polygon)), ring_);
       if (ring_.size() < 3) return;
-      const RingShape shape = ring_shape(ring_);
-      if (shape != RingShape::tangled) {
-        append_closed(ring_, winding(shape == RingShape::counter_clockwise ? 1 : -1), group(polygon), strands_);
+      const int convex = convex_turn(ring_);
+      const int turn = convex != 0 ? convex : turn_at_smallest(ring_);
+      if (turn != 0) {
+        const Simplicity simplicity = convex != 0 ? Simplicity::known : Simplicity::assumed;
+        append_closed(ring_, winding(turn), group(polygon), simplicity, strands_);
         return;
       }
     }
-    resolve(polygon);
+    resolve_polygon(polygon);
   }
 
   Strands strands_;
@@ -58,22 +61,14 @@ class PolygonReader {
   Winding winding(std::int32_t change) const { return is_b_ ? Winding{0, change} : Winding{change, 0}; }
   Group group(std::size_t polygon) const { return first_group_ + static_cast<Group>(polygon); }
 
-  /// The even-odd region of the polygon's rings, by the whole pipeline.
-  void resolve(std::size_t polygon) {
+  void resolve_polygon(std::size_t polygon) {
     const std::uint32_t begin = operand_.polygon_begin(polygon), end = operand_.polygon_end(polygon);
     if (begin == end) return;
     const std::uint32_t first_point = operand_.contour_begin(begin);
     std::vector<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
     for (std::uint32_t& e : ends) e -= first_point;
     const RegionView rings{operand_.points.subspan(first_point, ends.back()), ends, {}};
-    Options options;
-    options.fill_a = FillRule::even_odd();
-    Statistics inner;
-    const PipelineResult result = run_pipeline(rings, nullptr, Operation::unite, options, control_, inner);
-    resolved_ += inner.intersections > 0 || result.touches;
-    const RegionView regions = result.regions;
-    for (std::size_t c = 0; c < regions.contour_count(); ++c)
-      append_closed(regions.contour(c), winding(1), result.touches ? noding::any_group : group(polygon), strands_);
+    resolved_ += resolve(rings, winding(1), group(polygon), control_, strands_);
   }
 
   const RegionView& operand_;
@@ -89,6 +84,7 @@ void append(Strands& to, const Strands& from) {
   for (const std::uint32_t end : from.ends) to.ends.push_back(end + offset);
   to.change.insert(to.change.end(), from.change.begin(), from.change.end());
   to.group.insert(to.group.end(), from.group.begin(), from.group.end());
+  to.simplicity.insert(to.simplicity.end(), from.simplicity.begin(), from.simplicity.end());
 }
 
 void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
@@ -113,7 +109,8 @@ void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands)
   std::vector<Point> ring;
   for (std::size_t c = 0; c < operand.contour_count(); ++c) {
     clean_ring(operand.contour(c), ring);
-    if (ring.size() >= 3) append_closed(ring, is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group, strands);
+    if (ring.size() >= 3)
+      append_closed(ring, is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group, Simplicity::known, strands);
   }
 }
 

@@ -163,7 +163,7 @@ Strands batch_of(const Strands& strands, const IndependentParts& parts, std::siz
   for (auto s = begin; s != end; ++s) {
     part.points.insert(part.points.end(), strands.points.begin() + strands.begin(*s),
                        strands.points.begin() + strands.ends[*s]);
-    part.close_strand(strands.change[*s], strands.group[*s]);
+    part.close_strand(strands.change[*s], strands.group[*s], strands.simplicity[*s]);
   }
   return part;
 }

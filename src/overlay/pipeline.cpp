@@ -10,14 +10,13 @@
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
 #include "engines/vatti/label.h"
-#include "noding/merge_identical_edges.h"
-#include "noding/node.h"
 #include "overlay/assemble.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
 #include "overlay/independent_parts.h"
 #include "overlay/link.h"
 #include "overlay/nesting.h"
+#include "overlay/node_strands.h"
 #include "overlay/rings.h"
 #include "overlay/select.h"
 
@@ -35,11 +34,8 @@ void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, 
 
 ChainGraph node_stage(noding::Strands strands, const Options& options, Control& control, Statistics& statistics) {
   const StageClock clock(statistics, Stage::node);
-  noding::NodingReport report;
-  report.measures_displacement = options.statistics != nullptr;
-  const auto checkpoint = [&] { control.checkpoint(Stage::node, report.rounds == 0 ? 0.0 : 0.8); };
-  noding::Strands noded = noding::node(noding::merge_identical_edges(std::move(strands)), report, checkpoint);
-  ChainGraph graph = build_chain_graph(std::move(noded));
+  noding::NodingReport report(options.statistics != nullptr);
+  ChainGraph graph = build_chain_graph(node_strands(std::move(strands), report, control, statistics));
   if (options.statistics) report_noding(report, graph, statistics);
   return graph;
 }
@@ -108,6 +104,7 @@ void add_parts(const std::vector<Statistics>& parts, double elapsed, Statistics&
   double seconds[stage_count] = {}, total = 0;
   for (const Statistics& part : parts) {
     statistics.intersections += part.intersections;
+    statistics.resolved_polygons += part.resolved_polygons;
     statistics.rounds = std::max(statistics.rounds, part.rounds);
     statistics.largest_displacement = std::max(statistics.largest_displacement, part.largest_displacement);
     for (int i = 0; i < stage_count; ++i) {

@@ -4,10 +4,9 @@
 #include <oblast/options.h>
 
 #include "generators/hostile.h"
-#include "noding/merge_identical_edges.h"
-#include "noding/node.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
+#include "overlay/node_strands.h"
 
 namespace oblast::testing {
 
@@ -16,8 +15,7 @@ inline ChainGraph arrangement_of(const generators::Operands& operands, const Opt
   Statistics statistics;
   const RegionView a = operands.a, b = operands.b;
   noding::NodingReport report;
-  return build_chain_graph(
-      noding::node(noding::merge_identical_edges(collect(a, &b, options, control, statistics)), report));
+  return build_chain_graph(node_strands(collect(a, &b, options, control, statistics), report, control, statistics));
 }
 
 }  // namespace oblast::testing

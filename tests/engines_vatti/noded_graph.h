@@ -3,10 +3,9 @@
 
 #include <oblast/region_set.h>
 
-#include "noding/merge_identical_edges.h"
-#include "noding/node.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
+#include "overlay/node_strands.h"
 
 namespace oblast {
 
@@ -18,8 +17,8 @@ inline ChainGraph noded_graph(const RegionView& a, const RegionSet* b, const Fil
   Statistics statistics;
   const RegionView b_view = b ? b->view() : RegionView{};
   noding::NodingReport report;
-  return build_chain_graph(noding::node(
-      noding::merge_identical_edges(collect(a, b ? &b_view : nullptr, options, control, statistics)), report));
+  return build_chain_graph(
+      node_strands(collect(a, b ? &b_view : nullptr, options, control, statistics), report, control, statistics));
 }
 
 }  // namespace oblast

@@ -79,13 +79,12 @@ TEST(Collect, operandsHaveTheirOwnWindingNumbersAndGroups) {
   EXPECT_NE(strands.group[0], strands.group[1]);
 }
 
-TEST(Collect, aBowTieIsItsTwoTriangles) {
-  const Collected c = collected(regions_of("0 0, 2 2, 2 0, 0 2"));
-  EXPECT_EQ(c.statistics.resolved_polygons, 1u);
-  ASSERT_EQ(c.strands.size(), 2u);
-  for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(area_of(c.strands, s), 1);
-  // They touch, so they may meet each other.
-  EXPECT_EQ(c.strands.group[0], noding::any_group);
+TEST(Collect, aRingIsKnownToBeSimpleWhereItIsConvex) {
+  const Strands strands = collected(regions_of("0 0, 4 0, 4 4, 0 4 | 5 0, 9 0, 6 1, 5 4 | 0 9, 2 7, 2 9, 0 7")).strands;
+  ASSERT_EQ(strands.size(), 3u);
+  EXPECT_EQ(strands.simplicity[0], noding::Simplicity::known);
+  EXPECT_EQ(strands.simplicity[1], noding::Simplicity::assumed);
+  EXPECT_EQ(strands.simplicity[2], noding::Simplicity::assumed);  // a bow-tie; node_strands() finds out
 }
 
 TEST(Collect, ringsOfAPolygonAreItsEvenOdd) {

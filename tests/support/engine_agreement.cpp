@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "engines/skvortsov/marked_mesh.h"
-#include "noding/merge_identical_edges.h"
-#include "noding/node.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
+#include "overlay/node_strands.h"
 #include "support/check_mesh.h"
 
 namespace oblast::testing {
@@ -79,8 +78,7 @@ ChainGraph arrangement(const Operands& operands) {
   Statistics statistics;
   noding::NodingReport report;
   const RegionView a = operands.a, b = operands.b;
-  return build_chain_graph(
-      noding::node(noding::merge_identical_edges(collect(a, &b, options, control, statistics)), report));
+  return build_chain_graph(node_strands(collect(a, &b, options, control, statistics), report, control, statistics));
 }
 
 /// Every edge of every live chain, by vertices of the mesh.

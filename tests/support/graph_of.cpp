@@ -2,9 +2,8 @@
 #include "support/graph_of.h"
 
 #include "engines/leonov_nikitin/label.h"
-#include "noding/merge_identical_edges.h"
-#include "noding/node.h"
 #include "overlay/collect.h"
+#include "overlay/node_strands.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {
@@ -14,7 +13,7 @@ ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& opt
   Statistics statistics;
   noding::NodingReport report;
   noding::Strands strands = collect(a, b, options, control, statistics);
-  return build_chain_graph(noding::node(noding::merge_identical_edges(std::move(strands)), report));
+  return build_chain_graph(node_strands(std::move(strands), report, control, statistics));
 }
 
 Linked linked_of(const RegionView& a, const RegionView& b, Operation operation, const Options& options) {

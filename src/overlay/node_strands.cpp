@@ -1,0 +1,59 @@
+#include "overlay/node_strands.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "noding/merge_identical_edges.h"
+#include "overlay/resolve.h"
+#include "overlay/simple_ring.h"
+
+namespace oblast {
+namespace {
+
+using noding::Simplicity;
+using noding::Strands;
+
+/// The strands assumed to be simple that are not, sorted; all others are known to be then.
+std::vector<std::uint32_t> find_tangled(Strands& strands) {
+  std::vector<std::uint8_t> is_tangled(strands.size(), 0);
+  constexpr std::size_t strands_a_task = 256;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strands.size(), strands_a_task), [&](const auto& range) {
+    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+      if (strands.simplicity[s] == Simplicity::known) continue;
+      const std::uint32_t begin = strands.begin(s), last = strands.ends[s] - 1;
+      is_tangled[s] = ring_shape(std::span(strands.points).subspan(begin, last - begin)) == RingShape::tangled;
+      if (!is_tangled[s]) strands.simplicity[s] = Simplicity::known;
+    }
+  });
+  std::vector<std::uint32_t> tangled;
+  for (std::uint32_t s = 0; s < strands.size(); ++s)
+    if (is_tangled[s]) tangled.push_back(s);
+  return tangled;
+}
+
+}  // namespace
+
+Strands node_strands(Strands strands, noding::NodingReport& report, Control& control, Statistics& statistics) {
+  const auto checkpoint = [&] { control.checkpoint(Stage::node, report.rounds == 0 ? 0.0 : 0.8); };
+  const auto resolve_all = [&](const std::vector<std::uint32_t>& tangled) {
+    statistics.resolved_polygons += tangled.size();
+    strands = resolve_tangled(strands, tangled, control);
+  };
+  for (;;) {
+    const std::vector<std::uint32_t> identical = noding::identical_edges(strands);
+    if (!identical.empty() && strands.has_assumed()) {
+      if (const auto tangled = find_tangled(strands); !tangled.empty()) {
+        resolve_all(tangled);
+        continue;
+      }
+    }
+    strands = noding::merge_identical_edges(std::move(strands), identical);
+    strands = noding::node(std::move(strands), report, checkpoint);
+    if (report.tangled.empty()) return strands;
+    const std::vector<std::uint32_t> tangled = std::move(report.tangled);
+    report = noding::NodingReport(report.measures_displacement);
+    resolve_all(tangled);
+  }
+}
+
+}  // namespace oblast

@@ -1,0 +1,49 @@
+#include "overlay/resolve.h"
+
+#include <algorithm>
+
+#include "overlay/pipeline.h"
+
+namespace oblast {
+
+using noding::Simplicity;
+using noding::Strands;
+
+bool resolve(const RegionView& rings, noding::Winding winding, noding::Group group, Control& control,
+             Strands& strands) {
+  Options options;
+  options.fill_a = FillRule::even_odd();
+  Statistics inner;
+  options.statistics = &inner;
+  const PipelineResult result = run_pipeline(rings, nullptr, Operation::unite, options, control, inner);
+  const RegionView regions = result.regions;
+  for (std::size_t c = 0; c < regions.contour_count(); ++c) {
+    const std::span<const Point> ring = regions.contour(c);
+    strands.points.insert(strands.points.end(), ring.begin(), ring.end());
+    strands.points.push_back(ring[0]);
+    strands.close_strand(winding, result.touches ? noding::any_group : group);
+  }
+  return inner.intersections > 0 || result.touches;
+}
+
+Strands resolve_tangled(const Strands& strands, const std::vector<std::uint32_t>& tangled, Control& control) {
+  Strands result;
+  result.parity = strands.parity;
+  result.points.reserve(strands.points.size());
+  for (std::uint32_t s = 0; s < strands.size(); ++s) {
+    const auto ring = std::span(strands.points).subspan(strands.begin(s), strands.ends[s] - strands.begin(s));
+    if (std::binary_search(tangled.begin(), tangled.end(), s)) {
+      const std::uint32_t end = static_cast<std::uint32_t>(ring.size() - 1);  // not its closing point
+      // It came in turned as its smallest vertex says; what comes back runs counter-clockwise.
+      const noding::Winding change = strands.change[s];
+      const noding::Winding winding{change.a != 0 ? 1 : 0, change.b != 0 ? 1 : 0};
+      resolve(RegionView{ring.first(end), std::span(&end, 1), {}}, winding, strands.group[s], control, result);
+    } else {
+      result.points.insert(result.points.end(), ring.begin(), ring.end());
+      result.close_strand(strands.change[s], strands.group[s], strands.simplicity[s]);
+    }
+  }
+  return result;
+}
+
+}  // namespace oblast

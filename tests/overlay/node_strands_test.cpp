@@ -1,0 +1,84 @@
+// Stage 2 with contours that are only assumed to be simple: those that are not are found and resolved.
+#include "overlay/node_strands.h"
+
+#include <gtest/gtest.h>
+
+#include "overlay/collect.h"
+#include "verify/text_regions.h"
+
+namespace oblast {
+namespace {
+
+using noding::Strands;
+using verify::regions_of;
+
+struct Noded {
+  Strands strands;
+  std::uint64_t resolved = 0;
+  double area = 0;  ///< winding number by winding number
+};
+
+Noded noded(const std::string& polygons) {
+  const RegionSet set = regions_of(polygons);
+  const Options options;
+  Control control(options.progress);
+  Statistics statistics;
+  noding::NodingReport report;
+  Noded n;
+  n.strands = node_strands(collect(set, nullptr, options, control, statistics), report, control, statistics);
+  n.resolved = statistics.resolved_polygons;
+  for (std::size_t s = 0; s < n.strands.size(); ++s)
+    for (std::uint32_t e = n.strands.begin(s); e + 1 < n.strands.ends[s]; ++e) {
+      const Point &p = n.strands.points[e], &q = n.strands.points[e + 1];
+      n.area += n.strands.change[s].a * (p.x * q.y - q.x * p.y) / 2;
+    }
+  return n;
+}
+
+TEST(NodeStrands, aBowTieIsItsTwoTriangles) {
+  const Noded n = noded("0 0, 2 2, 2 0, 0 2");
+  EXPECT_EQ(n.resolved, 1u);
+  EXPECT_EQ(n.area, 2);
+}
+
+TEST(NodeStrands, aRingThatOnlyTouchesItselfIsResolved) {
+  // Two lobes that run opposite ways round their common vertex, and a vertex on an edge of the same ring.
+  EXPECT_EQ(noded("0 0, 2 2, 4 4, 4 0, 2 2, 0 4").resolved, 1u);
+  EXPECT_EQ(noded("0 0, 2 2, 4 4, 4 0, 2 2, 0 4").area, 8);
+  EXPECT_EQ(noded("0 0, 8 0, 8 8, 4 0, 0 8").resolved, 1u);
+}
+
+TEST(NodeStrands, aRingThatFoldsBackIsResolved) {
+  const Noded n = noded("0 0, 4 0, 4 4, 2 2, 4 4, 0 4");  // a spike inwards
+  EXPECT_EQ(n.resolved, 1u);
+  EXPECT_EQ(n.area, 16);
+}
+
+TEST(NodeStrands, crossingOthersDoesNotCount) {
+  const Noded n = noded("0 0, 9 0, 9 9, 5 5, 0 9 | 4 -1, 6 -1, 6 3, 5 12, 4 3");
+  EXPECT_EQ(n.resolved, 0u);
+}
+
+TEST(NodeStrands, tangledContoursWithSharedEdgesAreFoundBeforeEdgesAreMerged) {
+  // Two bow-ties, one of which shares an edge with a square: the merged edge belongs to both.
+  const Noded n = noded("0 0, 2 2, 2 0, 0 2 | 2 0, 4 0, 4 2, 2 2 | 0 0, 2 2, 2 0, 0 2");
+  EXPECT_EQ(n.resolved, 2u);
+  EXPECT_EQ(n.area, 2 + 4 + 2);
+}
+
+TEST(NodeStrands, amongManyContoursEachTangledOneIsResolved) {
+  std::string polygons;
+  for (int i = 0; i < 300; ++i) {
+    const std::string x = std::to_string(i * 10), y = std::to_string(i * 10 + 8);
+    if (i > 0) polygons += " | ";
+    // A bow-tie of 32, or a trapezoid of 40.
+    polygons +=
+        i % 3 == 0 ? x + " 0, " + y + " 0, " + x + " 8, " + y + " 8" : x + " 0, " + y + " 0, " + y + " 2, " + x + " 8";
+  }
+  const Noded n = noded(polygons);
+  EXPECT_EQ(n.resolved, 100u);
+  EXPECT_EQ(n.area, 100 * 32 + 200 * 40);
+}
+
+}  // namespace
+}  // namespace oblast
