@@ -1,9 +1,7 @@
 #include "noding/meetings.h"
 
 #include <oblast/domain.h>
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +18,7 @@
 #include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
 #include "noding/point_hash.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -61,9 +60,12 @@ double distance_from_line(const Point& p, Point a, Point b) {
 /// ones. It forgets, so a pair may still be looked at again, which does no harm.
 class RecentPairs {
  public:
+  void prepare() {
+    if (slots_.empty()) slots_.assign(slot_count, 0);
+  }
   /// False when the pair is remembered.
   bool add(std::uint32_t i, std::uint32_t j) {
-    if (slots_.empty()) slots_.assign(slot_count, 0);
+    if (slots_.empty()) return true;
     const std::uint64_t pair = static_cast<std::uint64_t>(std::min(i, j)) << 32 | std::max(i, j);
     return std::exchange(slots_[mix(pair) % slot_count], pair) != pair;
   }
@@ -368,10 +370,9 @@ EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* 
   return kept;
 }
 
-using CutLists = tbb::enumerable_thread_specific<Found>;
-
 /// All cuts in the order of the edges and along them, each once.
-std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Settling settling, Clearance* clearance) {
+std::vector<EdgeCut> arrange(const Strands& strands, std::span<const Found> found, Settling settling,
+                             Clearance* clearance) {
   const auto& points = strands.points;
   std::vector<std::uint32_t> ends(points.size() + 1, 0);  // by edge: of its cuts in `cuts`
   for (const auto& part : found)
@@ -383,11 +384,9 @@ std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Sett
     for (const EdgeCut& cut : part.cuts) cuts[ends[cut.edge]++] = cut;
 
   constexpr std::size_t edges_a_task = 16384;
-  const tbb::blocked_range<std::size_t> all(0, points.size(), edges_a_task);
-  tbb::parallel_for(all, [&](const auto& range) {
-    auto strand = static_cast<std::size_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), range.begin()) -
-                                           strands.ends.begin());
-    for (std::size_t e = range.begin(); e < range.end(); ++e) {
+  for_ranges(points.size(), edges_a_task, [&](std::size_t first, std::size_t past) {
+    std::size_t strand = strands.strand_of(static_cast<std::uint32_t>(first));
+    for (std::size_t e = first; e < past; ++e) {
       EdgeCut *begin = cuts.data() + (e == 0 ? 0 : ends[e - 1]), *end = cuts.data() + ends[e];
       if (begin == end) continue;
       const Point &a = points[e], &b = points[e + 1];
@@ -410,15 +409,23 @@ std::vector<EdgeCut> arrange(const Strands& strands, const CutLists& found, Sett
 std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
                                    const std::function<void()>& checkpoint, Clearance* clearance,
                                    std::vector<std::uint32_t>* tangled) {
-  CutLists found;
+  const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
+  std::vector<Found> found(1);
+  tbb::enumerable_thread_specific<Found> by_thread;
   const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    MeetingTest test(strands, settling, found.local(), clearance, tangled != nullptr);
+    Found& mine = parallel ? by_thread.local() : found.front();
+    if (repeats) mine.recent.prepare();
+    MeetingTest test(strands, settling, mine, clearance, tangled != nullptr);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
   Nearness nearness;
   if (clearance) nearness = {clearance->distance(), [&](std::uint32_t edge) { clearance->flag(edge); }};
   find_pairs(strands.points, std::move(runs), visit, PairGoal::meetings, nearness);
+  if (parallel) {
+    found.clear();
+    for (Found& part : by_thread) found.push_back(std::move(part));
+  }
   if (tangled) {
     for (const Found& part : found) tangled->insert(tangled->end(), part.tangled.begin(), part.tangled.end());
     std::sort(tangled->begin(), tangled->end());

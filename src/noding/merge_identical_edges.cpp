@@ -27,20 +27,24 @@ void for_each_edge(const Strands& strands, const Visit& visit) {
 std::vector<std::uint32_t> edges_with_shared_hash(const Strands& strands) {
   constexpr std::size_t bits_an_edge = 16;
   const std::size_t words = std::bit_ceil(strands.points.size() * bits_an_edge / 64 + 1);
-  std::vector<std::uint64_t> seen(words, 0), shared(words, 0);
-  const auto word_of = [&](std::uint64_t hash) { return (hash >> 6) & (words - 1); };
+  struct Word {
+    std::uint64_t seen = 0, shared = 0;  ///< by hash: some edge has it, more than one has
+  };
+  std::vector<Word> table(words);
+  const auto word_of = [&](std::uint64_t hash) -> Word& { return table[(hash >> 6) & (words - 1)]; };
   const auto bit_of = [](std::uint64_t hash) { return std::uint64_t{1} << (hash & 63); };
   std::uint64_t any = 0;
   for_each_edge(strands, [&](std::uint32_t, std::uint64_t hash) {
-    const std::uint64_t repeated = seen[word_of(hash)] & bit_of(hash);
-    seen[word_of(hash)] |= bit_of(hash);
+    Word& word = word_of(hash);
+    const std::uint64_t repeated = word.seen & bit_of(hash);
+    word.seen |= bit_of(hash);
+    word.shared |= repeated;
     any |= repeated;
-    if (repeated) shared[word_of(hash)] |= repeated;
   });
   std::vector<std::uint32_t> edges;
   if (any == 0) return edges;
   for_each_edge(strands, [&](std::uint32_t e, std::uint64_t hash) {
-    if (shared[word_of(hash)] & bit_of(hash)) edges.push_back(e);
+    if (word_of(hash).shared & bit_of(hash)) edges.push_back(e);
   });
   return edges;
 }
@@ -77,8 +81,9 @@ struct Merged {
 
 std::vector<std::uint32_t> identical_edges(const Strands& strands) {
   const std::vector<std::uint32_t> candidates = edges_with_shared_hash(strands);
-  EdgeTable table(strands.points, candidates.size());
   std::vector<std::uint32_t> same;
+  if (candidates.empty()) return same;
+  EdgeTable table(strands.points, candidates.size());
   for (const std::uint32_t e : candidates) {
     const std::uint32_t first = table.find_or_insert(e);
     if (first == e) continue;

@@ -13,10 +13,9 @@ namespace {
 
 // A sweep over so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
 // cut further.
-constexpr std::size_t leaf_size = 512;
+constexpr std::size_t leaf_size = runs_of_one_cell;
 constexpr std::size_t clipped_leaf_size = 32;
 constexpr std::size_t batch_size = 1024;
-constexpr std::size_t parallel_size = 20000;
 // Cells below this size, or with a cut better than this growth, are content with boxes.
 constexpr std::size_t bundle_size = 512;
 constexpr double box_growth = 1.3;
@@ -52,6 +51,10 @@ class Finder {
       : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
 
   void run(std::vector<Run> runs) {
+    if (runs.size() <= runs_of_one_thread) {
+      if (!one_group(runs)) split(std::move(runs), Cell{});
+      return;
+    }
     tbb::task_group tasks;
     split_in_parallel(std::move(runs), Cell{}, tasks);
     tasks.wait();
@@ -116,7 +119,7 @@ class Finder {
 
   void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
-    const CellCut cut = entries.size() < parallel_size ? CellCut{} : choose_cut(entries, 0, cell);
+    const CellCut cut = entries.size() <= runs_of_one_thread ? CellCut{} : choose_cut(entries, 0, cell);
     if (cut.growth == infinity) {
       split(std::move(entries), cell);
       return;
@@ -140,7 +143,6 @@ class Finder {
   /// Depth first, on one array used as a stack: the cell on top owns its tail.
   void split(std::vector<Entry> entries, const Cell& root) {
     std::vector<RunPair> batch;
-    batch.reserve(batch_size * 2);
     std::vector<Entry> right;
     std::vector<Task> stack{{0, root}};
     while (!stack.empty()) {

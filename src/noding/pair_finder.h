@@ -27,6 +27,12 @@ struct RunPair {
   std::uint32_t first_q, last_q;
 };
 
+/// A search over no more runs than this visits no pair twice.
+inline constexpr std::size_t runs_of_one_cell = 512;
+
+/// And over no more than this it stays on the caller's thread.
+inline constexpr std::size_t runs_of_one_thread = 20000;
+
 /// Called a batch at a time, from several threads at once.
 using PairVisitor = std::function<void(std::span<const RunPair>)>;
 

@@ -1,11 +1,11 @@
 #include "overlay/assemble.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <numeric>
+
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -137,8 +137,8 @@ RegionSet join(std::vector<RegionSet> parts) {
     result.polygon_ends[i] = contour;
   }
   constexpr std::size_t polygons_a_task = 512;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, polygons.size(), polygons_a_task), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  for_ranges(polygons.size(), polygons_a_task, [&](std::size_t first, std::size_t past) {
+    for (std::size_t i = first; i < past; ++i) {
       const RegionView view = parts[polygons[i].part];
       const std::uint32_t begin = view.polygon_begin(polygons[i].index), end = view.polygon_end(polygons[i].index);
       const std::uint32_t first_point = view.contour_begin(begin);

@@ -7,15 +7,13 @@
 // plane are near in memory, which is what every later walk over the graph is quick by.
 #include "overlay/chain_graph.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/angular_order.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -136,11 +134,10 @@ void sort_by_angle(const Point& x, std::vector<Aimed>& list) {
 bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
   resize_in_large_pages(graph.lists, graph.list_ends.empty() ? 0 : graph.list_ends.back());
   std::atomic<bool> merged = false;
-  constexpr std::size_t nodes_a_task = 4096;
-  const tbb::blocked_range<std::uint32_t> all(0, static_cast<std::uint32_t>(graph.node_count()), nodes_a_task);
-  tbb::parallel_for(all, [&](const auto& range) {
+  constexpr std::size_t nodes_a_task = 8192;
+  for_ranges(graph.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Aimed> list;
-    for (std::uint32_t node = range.begin(); node < range.end(); ++node) {
+    for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
       list.clear();
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
         const std::uint32_t stop = stops.order[i], vertex = stops.vertex[stop];

@@ -1,10 +1,9 @@
 #include "overlay/collect.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <iterator>
+#include <atomic>
 
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
@@ -17,65 +16,73 @@ using noding::Simplicity;
 using noding::Strands;
 using noding::Winding;
 
-/// The ring without repeated neighbours and without its closing point; -0.0 becomes 0.0.
-void clean_ring(std::span<const Point> ring, std::vector<Point>& cleaned) {
-  cleaned.clear();
+/// Appends the ring to the points without repeated neighbours and without its closing point; -0.0 becomes 0.0. Where
+/// fewer than three vertices are left, none are.
+std::span<const Point> append_clean(std::span<const Point> ring, std::vector<Point>& points) {
+  const std::size_t begin = points.size();
   for (const Point& p : ring) {
     const Point q{p.x + 0.0, p.y + 0.0};
-    if (cleaned.empty() || cleaned.back() != q) cleaned.push_back(q);
+    if (points.size() == begin || points.back() != q) points.push_back(q);
   }
-  while (cleaned.size() > 1 && cleaned.back() == cleaned.front()) cleaned.pop_back();
+  while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
+  if (points.size() < begin + 3) points.resize(begin);
+  return std::span(points).subspan(begin);
 }
 
-void append_closed(std::span<const Point> ring, Winding winding, Group group, Simplicity simplicity, Strands& strands) {
-  strands.points.insert(strands.points.end(), ring.begin(), ring.end());
-  strands.points.push_back(ring[0]);
+/// Closes the strand whose points begin there.
+void close(Winding winding, Group group, Simplicity simplicity, std::size_t begin, Strands& strands) {
+  strands.points.push_back(Point(strands.points[begin]));
   strands.close_strand(winding, group, simplicity);
 }
 
-/// Reads some of an operand's polygons into strands of their own.
+/// Reads polygons of an operand.
 class PolygonReader {
  public:
   PolygonReader(const RegionView& operand, bool is_b, Group first_group, Control& control)
       : operand_(operand), is_b_(is_b), first_group_(first_group), control_(control) {}
 
-  void read(std::size_t polygon) {
-    if (operand_.polygon_end(polygon) - operand_.polygon_begin(polygon) == 1) {
-      clean_ring(operand_.contour(operand_.polygon_begin(polygon)), ring_);
-      if (ring_.size() < 3) return;
-      const int convex = convex_turn(ring_);
-      const int turn = convex != 0 ? convex : turn_at_smallest(ring_);
-      if (turn != 0) {
-        const Simplicity simplicity = convex != 0 ? Simplicity::known : Simplicity::assumed;
-        append_closed(ring_, winding(turn), group(polygon), simplicity, strands_);
-        return;
-      }
-    }
-    resolve_polygon(polygon);
+  /// Appends polygons [begin, end) to the strands; the number of those whose rings were found to meet.
+  std::uint64_t read(std::size_t begin, std::size_t end, Strands& strands) const {
+    std::uint64_t resolved = 0;
+    for (std::size_t p = begin; p < end; ++p)
+      if (!read_one_ring(p, strands)) resolved += resolve_polygon(p, strands);
+    return resolved;
   }
 
-  Strands strands_;
-  std::uint64_t resolved_ = 0;
-
  private:
+  /// False when the polygon is not a ring that can be taken as it is.
+  bool read_one_ring(std::size_t polygon, Strands& strands) const {
+    if (operand_.polygon_end(polygon) - operand_.polygon_begin(polygon) != 1) return false;
+    const std::size_t begin = strands.points.size();
+    const std::span ring = append_clean(operand_.contour(operand_.polygon_begin(polygon)), strands.points);
+    if (ring.empty()) return true;
+    const int convex = convex_turn(ring);
+    const int turn = convex != 0 ? convex : turn_at_smallest(ring);
+    if (turn == 0) {
+      strands.points.resize(begin);
+      return false;
+    }
+    close(winding(turn), group(polygon), convex != 0 ? Simplicity::known : Simplicity::assumed, begin, strands);
+    return true;
+  }
+
   Winding winding(std::int32_t change) const { return is_b_ ? Winding{0, change} : Winding{change, 0}; }
   Group group(std::size_t polygon) const { return first_group_ + static_cast<Group>(polygon); }
 
-  void resolve_polygon(std::size_t polygon) {
+  bool resolve_polygon(std::size_t polygon, Strands& strands) const {
     const std::uint32_t begin = operand_.polygon_begin(polygon), end = operand_.polygon_end(polygon);
-    if (begin == end) return;
+    if (begin == end) return false;
     const std::uint32_t first_point = operand_.contour_begin(begin);
     std::vector<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
     for (std::uint32_t& e : ends) e -= first_point;
     const RegionView rings{operand_.points.subspan(first_point, ends.back()), ends, {}};
-    resolved_ += resolve(rings, winding(1), group(polygon), control_, strands_);
+    return resolve(rings, winding(1), group(polygon), control_, strands);
   }
 
   const RegionView& operand_;
   bool is_b_;
   Group first_group_;
   Control& control_;
-  std::vector<Point> ring_;
 };
 
 void append(Strands& to, const Strands& from) {
@@ -90,27 +97,33 @@ void append(Strands& to, const Strands& from) {
 void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
                         Statistics& statistics) {
   constexpr std::size_t polygons_a_part = 2048;
+  const PolygonReader reader(operand, is_b, first_group, control);
   const std::size_t count = operand.polygon_count();
+  if (count <= polygons_a_part) {
+    control.checkpoint(Stage::collect, 0);
+    statistics.resolved_polygons += reader.read(0, count, strands);
+    return;
+  }
   const std::size_t parts = (count + polygons_a_part - 1) / polygons_a_part;
-  std::vector<PolygonReader> readers(parts, PolygonReader(operand, is_b, first_group, control));
+  std::vector<Strands> read(parts);
+  std::atomic<std::uint64_t> resolved = 0;
   tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
     control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
     const std::size_t end = std::min(count, (part + 1) * polygons_a_part);
-    for (std::size_t p = part * polygons_a_part; p < end; ++p) readers[part].read(p);
+    resolved += reader.read(part * polygons_a_part, end, read[part]);
   });
-  for (PolygonReader& reader : readers) {
-    append(strands, reader.strands_);
-    statistics.resolved_polygons += reader.resolved_;
-    reader.strands_ = {};
+  for (Strands& part : read) {
+    append(strands, part);
+    part = {};
   }
+  statistics.resolved_polygons += resolved;
 }
 
 void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands) {
-  std::vector<Point> ring;
   for (std::size_t c = 0; c < operand.contour_count(); ++c) {
-    clean_ring(operand.contour(c), ring);
-    if (ring.size() >= 3)
-      append_closed(ring, is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group, Simplicity::known, strands);
+    const std::size_t begin = strands.points.size();
+    if (!append_clean(operand.contour(c), strands.points).empty())
+      close(is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group, Simplicity::known, begin, strands);
   }
 }
 
@@ -121,7 +134,12 @@ Strands collect(const RegionView& a, const RegionView* b, const Options& options
   const StageClock clock(statistics, Stage::collect);
   Strands strands;
   strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
-  strands.points.reserve(a.points.size() + a.contour_count() + (b ? b->points.size() + b->contour_count() : 0));
+  const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);
+  strands.points.reserve(a.points.size() + (b ? b->points.size() : 0) + contours);
+  strands.ends.reserve(contours);
+  strands.change.reserve(contours);
+  strands.group.reserve(contours);
+  strands.simplicity.reserve(contours);
   const auto add = [&](const RegionView& operand, bool is_b, const FillRule& rule, Group first_group) {
     if (rule.by_polygon())
       collect_by_polygon(operand, is_b, first_group, control, strands, statistics);

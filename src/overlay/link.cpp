@@ -1,11 +1,9 @@
 #include "overlay/link.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "memory/large_pages.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -37,9 +35,8 @@ class Linker {
   /// arrives leaves by the selected descriptor before it.
   void find_successors() {
     constexpr std::size_t nodes_a_task = 8192;
-    const tbb::blocked_range<std::uint32_t> all(0, static_cast<std::uint32_t>(graph_.node_count()), nodes_a_task);
-    tbb::parallel_for(all, [&](const auto& range) {
-      for (std::uint32_t node = range.begin(); node < range.end(); ++node) {
+    for_ranges(graph_.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
         const auto list = graph_.list(node);
         Descriptor leaving = none;
         for (std::size_t i = list.size(); i-- > 0 && leaving == none;)

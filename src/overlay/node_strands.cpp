@@ -1,11 +1,9 @@
 #include "overlay/node_strands.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -17,8 +15,8 @@ using noding::Strands;
 std::vector<std::uint32_t> find_tangled(Strands& strands) {
   std::vector<std::uint8_t> is_tangled(strands.size(), 0);
   constexpr std::size_t strands_a_task = 256;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, strands.size(), strands_a_task), [&](const auto& range) {
-    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+  for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
+    for (std::size_t s = first; s < past; ++s) {
       if (strands.simplicity[s] == Simplicity::known) continue;
       const std::uint32_t begin = strands.begin(s), last = strands.ends[s] - 1;
       is_tangled[s] = ring_shape(std::span(strands.points).subspan(begin, last - begin)) == RingShape::tangled;

@@ -137,7 +137,8 @@ class Labelling {
     std::vector<BelowQuery> queries;
     queries.reserve(components_.size());
     for (Component& c : components_) queries.push_back(look_outside(c));
-    const std::vector<Below> below = locate_below(graph_, live_, queries);
+    // Below the smallest vertex of all there is nothing.
+    const std::vector<Below> below = queries.size() == 1 ? std::vector<Below>(1) : locate_below(graph_, live_, queries);
 
     std::vector<std::uint32_t> order(components_.size());
     std::iota(order.begin(), order.end(), 0U);
