@@ -33,5 +33,6 @@ void add_generate(CLI::App& program, Invocation& invocation);
 void add_classic(CLI::App& program, Invocation& invocation);
 void add_compare(CLI::App& program, Invocation& invocation);
 void add_hull(CLI::App& program, Invocation& invocation);
+void add_layers(CLI::App& program, Invocation& invocation);
 
 }  // namespace oblast::app

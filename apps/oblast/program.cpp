@@ -85,6 +85,7 @@ int run_program(int argc, char** argv) {
   add_classic(program, invocation);
   add_compare(program, invocation);
   add_hull(program, invocation);
+  add_layers(program, invocation);
 
   if (argc <= 1) {
     fmt::print(stderr, "{}", program.help());
