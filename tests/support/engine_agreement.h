@@ -29,8 +29,8 @@ std::optional<std::string> difference(const generators::Operands& operands, cons
 /// All operations, fill rules (one for both operands) and conventions.
 std::span<const Question> all_questions();
 
-/// For inputs that take seconds: all operations under `polygons`, the other rules by one operation each; both
-/// conventions throughout.
+/// For inputs that take seconds: all operations and conventions under `polygons`; the other rules in turn with one
+/// operation and one convention.
 std::span<const Question> some_questions();
 
 /// Verifies two triangulations of the operands by exact arithmetic (check_mesh.h): the public one of their union, and
