@@ -8,6 +8,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "generators/wkt.h"
 
 namespace oblast::fuzz {
 namespace {
@@ -52,6 +56,26 @@ RegionSet operand_from(FuzzedDataProvider& bytes, Coordinates coordinates) {
   return regions;
 }
 
+// Two lines of WKT: A and B. What cannot be read, or is too large, is an empty operand.
+RegionSet operand_from(const std::string& line) {
+  RegionSet regions;
+  try {
+    regions = generators::soup_from_wkt(line);
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+  if (regions.points.size() > most_vertices) return {};
+  for (Point& p : regions.points) p = {in_domain(p.x) ? p.x : 0, in_domain(p.y) ? p.y : 0};
+  return regions;
+}
+
+generators::Operands operands_from_text(const std::string& text) {
+  const std::size_t end = text.find('\n');
+  if (end == std::string::npos) return {operand_from(text), {}};
+  const std::string second = text.substr(end + 1);
+  return {operand_from(text.substr(0, end)), operand_from(second.substr(0, second.find('\n')))};
+}
+
 void print(const char* name, const RegionSet& regions) {
   std::fprintf(stderr, "%s:", name);
   for (std::size_t c = 0; c < regions.contour_ends.size(); ++c) {
@@ -64,8 +88,14 @@ void print(const char* name, const RegionSet& regions) {
 }  // namespace
 
 Input input_from(const std::uint8_t* data, std::size_t size) {
-  FuzzedDataProvider bytes(data, size);
   Input input;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  if (text.starts_with("POLYGON") || text.starts_with("MULTIPOLYGON")) {
+    input.request = generators::draw_request(size);
+    input.operands = operands_from_text(text);
+    return input;
+  }
+  FuzzedDataProvider bytes(data, size);
   input.request = generators::draw_request(bytes.ConsumeIntegral<std::uint16_t>());
   const auto coordinates = bytes.ConsumeEnum<Coordinates>();
   input.operands.a = operand_from(bytes, coordinates);

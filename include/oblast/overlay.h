@@ -12,7 +12,8 @@ namespace oblast {
 /// Any finite input inside the domain is admitted (see RegionView and domain.h). The result is
 /// closed, canonical and bit-preserving: promises G1 to G4, docs/guarantees.md.
 /// Cost: O((n + k) log n) time and O(n + k) memory, n edges and k meetings of edges.
-/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled.
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled; and std::bad_alloc. Whatever
+/// is thrown, nothing leaks and the next call is not affected.
 RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options = {});
 
 /// The union of any number of polygons in one pass; `options.fill_a` is its rule.

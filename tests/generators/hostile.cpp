@@ -9,7 +9,7 @@ std::span<const HostileGenerator> hostile_generators() {
   static constexpr std::array<HostileGenerator, 19> list{{
       {"integer_grid", "random contours on a grid of a few integers", integer_grid},
       {"grid_by_an_ulp", "the same, each coordinate moved by at most one unit in the last place", grid_by_an_ulp},
-      {"copies_of_one_square", "one square many times, some copies nudged", copies_of_one_square},
+      {"copies_of_one_square", "one square many times, some copies nudged", copies_of_one_square, 60, 16000},
       {"nested_squares", "squares in squares, touching at corners", nested_squares},
       {"checkerboards", "cells that meet at corners, over shifted cells", checkerboards},
       {"near_parallel_bundles", "long thin contours that differ by a few units in the last place",

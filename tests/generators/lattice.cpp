@@ -61,9 +61,11 @@ Operands copies_of_one_square(std::uint64_t seed, int size) {
   Ring square = rectangle(1, 1, 3, 3);
   if (random.one_in(2)) square = {{1.1, 2.3}, {2.3, 1.3}, {3.7, 2.1}, {2.1, 3.9}};
   const int steps = random.below(3);
-  for (int i = 0; i < std::max(2, size / 4); ++i) {
+  const int copies = std::max(2, size / 4);
+  const int exact_copies = std::max(4, copies / 50);  // of so many one is nudged: any two of those cross
+  for (int i = 0; i < copies; ++i) {
     Ring copy = square;
-    if (random.one_in(4)) copy = nudge(copy, steps, random);
+    if (random.one_in(exact_copies)) copy = nudge(copy, steps, random);
     if (random.one_in(4)) copy = reversed(copy);
     std::rotate(copy.begin(), copy.begin() + random.below(4), copy.end());
     add_either_way(random.one_in(2) ? operands.a : operands.b, copy, random);

@@ -30,7 +30,7 @@ struct Settings {
   std::uint64_t cases = 1000;
   std::uint64_t first_seed = 1;
   int smallest = 8;
-  int largest = 60;
+  int largest = 0;  // 0: what is usual of the generator
   int threads = 0;
   std::uint64_t show = 2;  // failures shown in full, by generator
   bool engines = false;
@@ -61,8 +61,8 @@ struct Row {
 // Small cases more often than large ones, by the square of a number drawn evenly.
 int size_of_case(const Settings& settings, const HostileGenerator& generator, std::uint64_t seed) {
   const double drawn = Random(seed ^ 0x517eu).unit();
-  const int largest = std::min(settings.largest, generator.usual);
-  return settings.smallest + static_cast<int>(drawn * drawn * (largest - settings.smallest + 1));
+  const int largest = settings.largest > 0 ? settings.largest : generator.usual;
+  return settings.smallest + static_cast<int>(drawn * drawn * std::max(1, largest - settings.smallest + 1));
 }
 
 std::mutex printing;
@@ -164,7 +164,8 @@ int main(int argc, char** argv) {
   app.add_option("--cases", settings.cases, "cases of every generator")->capture_default_str();
   app.add_option("--first-seed", settings.first_seed, "seeds count up from here")->capture_default_str();
   app.add_option("--smallest", settings.smallest, "edges of the smallest case")->check(CLI::Range(8, 1000000));
-  app.add_option("--largest", settings.largest, "edges of the largest case")->check(CLI::Range(8, 1000000));
+  app.add_option("--largest", settings.largest, "edges of the largest case; 0: 60, bundles 20")
+      ->check(CLI::Range(0, 1000000));
   app.add_option("--threads", settings.threads, "0: all cores")->capture_default_str();
   app.add_option("--generator", settings.only, "only this one");
   app.add_option("--show", settings.show, "failures shown in full, by generator")->capture_default_str();
