@@ -37,7 +37,7 @@ const char* fault_of(const Layers& found, const RegionView& regions) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  constexpr std::size_t most_vertices = 60;
+  constexpr std::size_t most_vertices = 30;
   const fuzz::Input input = fuzz::input_from(bytes, size);
   const RegionSet& a = input.operands.a;
   if (a.points.size() > most_vertices) return 0;
