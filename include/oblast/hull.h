@@ -13,10 +13,11 @@ namespace oblast {
 /// The corners counter-clockwise from the lexicographically smallest one, exact, without collinear
 /// ones; fewer than three where the points are collinear.
 ///
-/// The scan is right for simple contours, in either direction, and its answer is checked in the same pass
-/// over the points; where a contour is not simple and the scan fell for it, the hull is taken by the monotone
+/// The scan is right for simple contours, in either direction, and its answer is checked in one more pass
+/// over the points, each against the hull's edge above or below it; where a contour is not simple and the scan fell for it, the hull is taken by the monotone
 /// chain (Andrew 1979). So the answer is the hull of the points in any case.
-/// Cost: O(n) for simple contours, O(n log n) otherwise.
+/// REQUIRES: coordinates in the domain (domain.h). Cost: O(n) for simple contours (the check finds edges by buckets: a
+/// logarithm of the corners in one bucket at worst), O(n log n) otherwise.
 std::vector<Point> hull(std::span<const Point> contour);
 
 /// The convex hull of all regions as one polygon, empty where they have no area: the hull of the hulls of

@@ -84,6 +84,8 @@ struct Options {
   CollinearVertices collinear = CollinearVertices::keep;
   int threads = 0;  ///< 0: all cores. The result does not depend on it.
   Progress progress;
+  /// Where statistics or progress are asked for, or any option above is not the default, every call goes through the
+  /// stages they tell of; otherwise `overlay` may take a fast path with the same bytes (docs/methods.md).
   Statistics* statistics = nullptr;
 };
 

@@ -2,9 +2,11 @@
 #include <oblast/hull.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "exact/orientation.h"
 #include "hull/lee.h"
+#include "overlay/simple_ring.h"
 #include "overlay/validate.h"
 
 namespace oblast {
@@ -12,31 +14,23 @@ namespace {
 
 using exact::orientation;
 
-/// Without repeated neighbours and without a closing point; -0.0 becomes 0.0.
+/// Without repeated neighbours and without a closing point.
 std::vector<Point> cleaned(std::span<const Point> contour) {
-  std::vector<Point> ring;
-  ring.reserve(contour.size());
-  for (const Point& p : contour) {
-    const Point q{p.x + 0.0, p.y + 0.0};
-    if (ring.empty() || ring.back() != q) ring.push_back(q);
-  }
-  while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+  std::vector<Point> ring(contour.begin(), contour.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   return ring;
 }
 
-/// The turn at the smallest vertex: the direction of a simple ring, and never 0 for one.
-int direction(std::span<const Point> ring) {
-  const auto smallest =
-      static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
-  const std::size_t n = ring.size();
-  return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
-}
-
 /// One side of a hull, from the smallest corner to the largest. Tells of any point between them on which side
-/// of it the point lies; remembers where the last one was, as neighbours on a contour are near.
+/// of it the point lies. Corners are found by buckets of equal width in x, of which there are as many as corners.
 class HullSide {
  public:
-  explicit HullSide(std::vector<Point> corners) : corners_(std::move(corners)) {}
+  explicit HullSide(std::vector<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1, 0) {
+    const double width = corners_.back().x - corners_.front().x;
+    scale_ = width > 0 ? static_cast<double>(corners_.size()) / width : 0;
+    for (const Point& c : corners_) ++first_[bucket(c) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
 
   bool turns(int turn) const {
     for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {
@@ -47,37 +41,34 @@ class HullSide {
   }
 
   /// REQUIRES: p between the smallest and the largest corner, or one of them.
-  int side_of(const Point& p) {
-    const auto holds = [&](std::size_t i) {
-      return !lexicographically_less(p, corners_[i]) && !lexicographically_less(corners_[i + 1], p);
-    };
-    const std::size_t edges = corners_.size() - 1;
-    if (holds(edge_)) {
-    } else if (edge_ + 1 < edges && holds(edge_ + 1)) {
-      ++edge_;
-    } else if (edge_ > 0 && holds(edge_ - 1)) {
-      --edge_;
-    } else {
-      const auto after = std::upper_bound(corners_.begin(), corners_.end(), p, lexicographically_less);
-      edge_ = std::min(static_cast<std::size_t>(after - corners_.begin()), edges) - 1;
-    }
-    return orientation(corners_[edge_], corners_[edge_ + 1], p);
+  int side_of(const Point& p) const {
+    const std::size_t b = bucket(p);
+    // Rounding is monotone: corners of other buckets are smaller or larger in x than p, as their buckets are.
+    const auto after = std::upper_bound(corners_.begin() + first_[b], corners_.begin() + first_[b + 1], p,
+                                        lexicographically_less);
+    const auto edge = std::min(after, corners_.end() - 1) - 1;
+    return orientation(edge[0], edge[1], p);
   }
 
  private:
+  std::size_t bucket(const Point& p) const {
+    return std::min(static_cast<std::size_t>((p.x - corners_.front().x) * scale_), corners_.size() - 1);
+  }
+
   std::vector<Point> corners_;
-  std::size_t edge_ = 0;
+  std::vector<std::ptrdiff_t> first_;  ///< by bucket: its first corner
+  double scale_ = 0;
 };
 
-/// True when `hull`, clockwise from its smallest corner, is strictly convex and holds all points of the ring.
+/// True when `hull`, counter-clockwise from its smallest corner, is strictly convex and holds all points of the ring.
 bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   if (hull.size() < 3) return false;
   const auto largest = std::max_element(hull.begin(), hull.end(), lexicographically_less);
-  HullSide upper({hull.begin(), largest + 1});
-  std::vector<Point> below(largest, hull.end());
-  below.push_back(hull.front());
-  std::reverse(below.begin(), below.end());
-  HullSide lower(std::move(below));
+  const HullSide lower({hull.begin(), largest + 1});
+  std::vector<Point> above(largest, hull.end());
+  above.push_back(hull.front());
+  std::reverse(above.begin(), above.end());
+  const HullSide upper(std::move(above));
   if (!upper.turns(-1) || !lower.turns(1)) return false;
   // Above the line from the smallest to the largest corner only the upper side can leave a point out.
   return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
@@ -88,13 +79,20 @@ bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
 }  // namespace
 
 std::vector<Point> hull(std::span<const Point> contour) {
-  std::vector<Point> ring = cleaned(contour);
-  if (ring.size() < 3) return monotone_chain_hull(ring);
-  const int turn = direction(ring);
-  if (turn > 0) std::reverse(ring.begin(), ring.end());
-  std::vector<Point> corners = lee_hull(ring);
-  if (turn == 0 || !is_hull_of(corners, ring)) return monotone_chain_hull(ring);
-  std::reverse(corners.begin() + 1, corners.end());
+  while (contour.size() > 1 && contour.back() == contour.front()) contour = contour.first(contour.size() - 1);
+  std::vector<Point> copy;
+  if (std::adjacent_find(contour.begin(), contour.end()) != contour.end()) {
+    copy = cleaned(contour);
+    contour = copy;
+  }
+  std::vector<Point> corners;
+  const int turn = contour.size() < 3 ? 0 : turn_at_smallest(contour);
+  if (turn != 0) corners = lee_hull(contour, turn);
+  if (turn == 0 || !is_hull_of(corners, contour)) {
+    std::vector<Point> points(contour.begin(), contour.end());
+    corners = monotone_chain_hull(points);
+  }
+  for (Point& p : corners) p = {p.x + 0.0, p.y + 0.0};  // -0.0 becomes 0.0
   return corners;
 }
 

@@ -1,7 +1,8 @@
 // Lee's linear hull of a simple polygon, as told by Preparata and Shamos, section 4.1.4.
 //
 // Idea: the smallest vertex p1 and the largest pM part the clockwise ring into two chains; here the upper
-// one, from p1 to pM, is walked (the lower one is the same walk from pM to p1, turned by 180 degrees).
+// one, from p1 to pM, is walked (the lower one is the same walk from pM to p1, turned by 180 degrees). A
+// counter-clockwise ring is walked as it is, seen in a mirror: left and right are exchanged.
 // One stack holds the critical vertices q1 = p1, q2, .., qi. The edge q(i-1) qi is the lid of a pocket: the
 // boundary between the two. The vertex v that follows qi on the boundary lies in one of four regions:
 //
@@ -23,8 +24,6 @@
 
 namespace oblast {
 namespace {
-
-using exact::orientation;
 
 /// Walks a chain of a ring by its indices.
 class Walk {
@@ -49,8 +48,12 @@ bool beyond(const Point& p, const Point& q, const Point& v) {
   return lexicographically_less(p, q) == lexicographically_less(q, v);
 }
 
-/// Appends the hull of one chain, its last vertex left out.
+/// Appends the hull of one chain, its last vertex left out. `mirror`: 1 for a clockwise ring, -1 for the other.
+template <int mirror>
 void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size_t last, std::vector<Point>& hull) {
+  const auto orientation = [](const Point& a, const Point& b, const Point& c) {
+    return mirror * exact::orientation(a, b, c);
+  };
   const std::size_t bottom = hull.size();
   const Point p_m = ring[last];
   hull.push_back(ring[first]);
@@ -81,14 +84,16 @@ void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size
 
 }  // namespace
 
-std::vector<Point> lee_hull(std::span<const Point> ring) {
+std::vector<Point> lee_hull(std::span<const Point> ring, int direction) {
   assert(ring.size() >= 3);
   const auto [smallest, largest] = std::minmax_element(ring.begin(), ring.end(), lexicographically_less);
   const auto p_1 = static_cast<std::size_t>(smallest - ring.begin());
   const auto p_m = static_cast<std::size_t>(largest - ring.begin());
   std::vector<Point> hull;
-  append_chain_hull(ring, p_1, p_m, hull);
-  append_chain_hull(ring, p_m, p_1, hull);
+  const auto append = direction > 0 ? append_chain_hull<-1> : append_chain_hull<1>;
+  append(ring, p_1, p_m, hull);
+  append(ring, p_m, p_1, hull);
+  if (direction < 0) std::reverse(hull.begin() + 1, hull.end());
   return hull;
 }
 
@@ -98,7 +103,7 @@ std::vector<Point> monotone_chain_hull(std::vector<Point>& points) {
   if (points.size() < 3) return points;
   std::vector<Point> hull;
   const auto add = [&](const Point& p, std::size_t bottom) {
-    while (hull.size() > bottom && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+    while (hull.size() > bottom && exact::orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
     hull.push_back(p);
   };
   for (const Point& p : points) add(p, 1);

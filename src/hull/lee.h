@@ -8,9 +8,10 @@
 
 namespace oblast {
 
-/// The hull's corners, clockwise from the smallest vertex. `ring`: clockwise, without repeated neighbours, at least
-/// three vertices; the answer is the hull when the ring is simple. Cost: linear.
-std::vector<Point> lee_hull(std::span<const Point> ring);
+/// The hull's corners, counter-clockwise from the smallest vertex. `ring`: without repeated neighbours, at least three
+/// vertices; `direction`: 1 for a counter-clockwise ring, -1 for a clockwise one. The answer is the hull when the ring
+/// is simple. Cost: linear.
+std::vector<Point> lee_hull(std::span<const Point> ring, int direction);
 
 /// The hull of any points, counter-clockwise from the smallest (Andrew 1979). Sorts `points`. Cost: O(n log n).
 std::vector<Point> monotone_chain_hull(std::vector<Point>& points);

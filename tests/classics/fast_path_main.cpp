@@ -1,5 +1,5 @@
-// What the special methods gain over `overlay` where they apply: nanoseconds a call, same results. Processor time of
-// one thread; `overlay` is held to one thread where it is large enough to use more.
+// What the fast paths of `overlay` gain over its pipeline where they are taken, and cost where they decline: nanoseconds
+// a call, same results. Processor time of one thread.
 //
 //   oblast_fast_path [SECONDS]        measuring time of each figure, default 0.3
 #include <oblast/classics.h>
@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "classics/cases.h"
-#include "classics/shapes.h"
+#include "classics/window/fast_path.h"
 
 namespace {
 
@@ -53,6 +53,18 @@ RegionSet ellipse(Random& random, int n) {
   return one_contour(ring);
 }
 
+/// A contour with waves large and small.
+std::vector<Point> wiggly(Random& random, int n) {
+  std::vector<Point> ring;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * std::numbers::pi * i / n, step = 2 * std::numbers::pi / n;
+    const double r = 0.8 + 0.15 * std::sin(5 * t) + 0.03 * std::sin(50 * t) + 0.3 * step * random.in(-1, 1);
+    ring.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return ring;
+}
+
+/// Spikes of random length, at random angles.
 std::vector<Point> star(Random& random, int n) {
   std::vector<double> angles(static_cast<std::size_t>(n));
   for (double& a : angles) a = random.in(0, 2 * std::numbers::pi);
@@ -65,52 +77,78 @@ std::vector<Point> star(Random& random, int n) {
   return ring;
 }
 
-void report(const char* what, int n, double general, double special) {
-  std::printf("%-44s %8d %12.0f %12.0f %8.1f\n", what, n, general, special, general / special);
+/// Where no fast path is taken the ratio tells what it costs to see so.
+void compare(const char* what, int n, const std::vector<ClassicCase>& cases) {
+  long taken = 0, differ = 0;
+  for (const ClassicCase& c : cases) {
+    taken += classics::fast_overlay(c.a, c.b, c.operation, {}).has_value();
+    differ += overlay(c.a, c.b, c.operation) != by_pipeline(c.a, c.b, c.operation);
+  }
+  const double pipeline =
+      measure(cases.size(), [&](std::size_t i) { by_pipeline(cases[i].a, cases[i].b, cases[i].operation); });
+  const double fast = measure(cases.size(), [&](std::size_t i) { overlay(cases[i].a, cases[i].b, cases[i].operation); });
+  std::printf("%-50s %8d %7.0f %% %12.0f %12.0f %8.2f%s\n", what, n,
+              100 * static_cast<double>(taken) / static_cast<double>(cases.size()), pipeline, fast, pipeline / fast,
+              differ ? " DIFFER" : "");
   std::fflush(stdout);
 }
 
+std::size_t count_for(int n) { return n > 1000 ? 2 : 64; }
+
 void convex_pairs(Random& random) {
-  for (const int n : {4, 10, 50, 1000, 100000}) {
-    std::vector<ClassicCase> cases(n > 1000 ? 2 : 64);
-    for (ClassicCase& c : cases) c = {ellipse(random, n), ellipse(random, n), Operation::intersection, Spread::reals};
-    long differ = 0;
-    for (const ClassicCase& c : cases) differ += orourke(c.a, c.b, c.operation) != overlay(c.a, c.b, c.operation);
-    if (differ) std::printf("%ld DIFFER\n", differ);
-    const double general =
-        measure(cases.size(), [&](std::size_t i) { overlay(cases[i].a, cases[i].b, Operation::intersection); });
-    const double special =
-        measure(cases.size(), [&](std::size_t i) { orourke(cases[i].a, cases[i].b, Operation::intersection); });
-    report("convex with convex: O'Rourke", n, general, special);
-  }
+  constexpr std::pair<Operation, const char*> operations[] = {
+      {Operation::intersection, "convex with convex: intersection"},
+      {Operation::unite, "convex with convex: union"},
+      {Operation::difference, "convex with convex: difference"}};
+  for (const auto& [operation, what] : operations)
+    for (const int n : {4, 10, 50}) {
+      std::vector<ClassicCase> cases(count_for(n));
+      for (ClassicCase& c : cases) c = {ellipse(random, n), ellipse(random, n), operation, Spread::reals};
+      compare(what, n, cases);
+    }
+}
+
+RegionSet window_of(bool octagon) {
+  return octagon ? one_contour({{-.3, -.6}, {.3, -.6}, {.6, -.3}, {.6, .3}, {.3, .6}, {-.3, .6}, {-.6, .3}, {-.6, -.3}})
+                 : one_contour({{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}});
+}
+
+std::vector<Point> moved(std::vector<Point> ring, double x, double y) {
+  for (Point& p : ring) p = {p.x + x, p.y + y};
+  return ring;
 }
 
 void windows(Random& random, bool octagon) {
-  const RegionSet window_regions =
-      octagon ? one_contour({{-.3, -.6}, {.3, -.6}, {.6, -.3}, {.6, .3}, {.3, .6}, {-.3, .6}, {-.6, .3}, {-.6, -.3}})
-              : one_contour({{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}});
-  const ClipWindow window(window_regions);
   for (const int n : {10, 50, 1000, 100000}) {
-    for (const double spread : {0.0, 4.0}) {
-      std::vector<RegionSet> subjects(n > 1000 ? 2 : 256);
-      for (RegionSet& s : subjects) {
-        std::vector<Point> ring = star(random, n);
+    for (const double spread : {0.5, 4.0}) {
+      std::vector<ClassicCase> cases(count_for(n));
+      for (ClassicCase& c : cases) {
         const double x = random.in(-spread, spread), y = random.in(-spread, spread);
-        for (Point& p : ring) p = {p.x + x, p.y + y};
-        s = one_contour(ring);
+        c = {one_contour(moved(wiggly(random, n), x, y)), window_of(octagon), Operation::intersection, Spread::reals};
       }
-      long differ = 0;
-      for (const RegionSet& s : subjects)
-        differ += window.clip(s) != overlay(s, window_regions, Operation::intersection);
-      if (differ) std::printf("%ld DIFFER\n", differ);
-      const double general = measure(
-          subjects.size(), [&](std::size_t i) { overlay(subjects[i], window_regions, Operation::intersection); });
-      const double special = measure(subjects.size(), [&](std::size_t i) { window.clip(subjects[i]); });
       char what[80];
-      std::snprintf(what, sizeof what, "%s window, subjects %s", octagon ? "octagon" : "rectangle",
-                    spread > 0 ? "about, many outside" : "across it");
-      report(what, n, general, special);
+      std::snprintf(what, sizeof what, "%s window, polygons %s", octagon ? "octagon" : "rectangle",
+                    spread > 1 ? "about it, many outside" : "across it");
+      compare(what, n, cases);
     }
+  }
+}
+
+/// Where it must decline: late, early, and at once.
+void declined(Random& random) {
+  for (const int n : {10, 1000, 100000}) {
+    std::vector<ClassicCase> spikes(count_for(n)), touching(count_for(n)), stars(count_for(n));
+    for (std::size_t i = 0; i < spikes.size(); ++i) {
+      // A vertex on a side of the window; two that are not convex.
+      touching[i] = {one_contour(wiggly(random, n)), window_of(false), Operation::intersection, Spread::reals};
+      touching[i].a.points[0] = {0.5, 0.01};
+      spikes[i] = {one_contour(star(random, n)), window_of(false), Operation::intersection, Spread::reals};
+      stars[i] = {one_contour(wiggly(random, n)), one_contour(moved(wiggly(random, n), 0.3, 0.1)),
+                  Operation::intersection, Spread::reals};
+    }
+    compare("declined: a vertex on the window", n, touching);
+    compare("spikes side by side in the window", n, spikes);
+    compare("declined: neither is convex", n, stars);
   }
 }
 
@@ -120,8 +158,9 @@ int main(int argc, char** argv) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   if (argc > 1) seconds = std::atof(argv[1]);
   Random random(1);
-  std::printf("%-44s %8s %12s %12s %8s\n", "", "vertices", "overlay, ns", "special, ns", "ratio");
+  std::printf("%-50s %8s %9s %12s %12s %8s\n", "", "vertices", "taken", "pipeline, ns", "overlay, ns", "ratio");
   convex_pairs(random);
   windows(random, false);
   windows(random, true);
+  declined(random);
 }

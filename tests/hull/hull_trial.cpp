@@ -2,9 +2,6 @@
 
 #include <oblast/hull.h>
 
-#include <algorithm>
-
-#include "exact/orientation.h"
 #include "hull/lee.h"
 #include "overlay/simple_ring.h"
 
@@ -14,14 +11,11 @@ std::string compare_hulls(const std::vector<Point>& ring) {
   std::vector<Point> points = ring;
   const std::vector<Point> expected = monotone_chain_hull(points);
   if (hull(ring) != expected) return "hull() differs from the monotone chain";
-  std::vector<Point> clockwise = ring;
-  const auto smallest = std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin();
-  const std::size_t n = ring.size(), at = static_cast<std::size_t>(smallest);
-  if (exact::orientation(ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]) > 0)
-    std::reverse(clockwise.begin(), clockwise.end());
-  std::vector<Point> corners = lee_hull(clockwise);
-  if (!corners.empty()) std::reverse(corners.begin() + 1, corners.end());
-  return corners == expected ? "" : "Lee's scan differs from the monotone chain";
+  const int direction = turn_at_smallest(ring);
+  if (lee_hull(ring, direction) != expected) return "Lee's scan differs from the monotone chain";
+  const std::vector<Point> backward(ring.rbegin(), ring.rend());
+  if (lee_hull(backward, -direction) != expected) return "Lee's scan of the reversed ring differs";
+  return "";
 }
 
 bool is_simple(const std::vector<Point>& ring) { return ring_shape(ring) != RingShape::tangled; }

@@ -63,7 +63,7 @@ bool WindowClip::edge_is_clear(const Ring& a, Index i, const Ring& b, Index firs
 /// boxes tell too little, as of long edges side by side: then the search of noding, which cuts edges, is quicker.
 bool WindowClip::near_pairs_are_clear() const {
   constexpr Index run_size = 8, runs_a_block = 4;
-  constexpr std::size_t tests_an_edge = 64;
+  constexpr std::size_t tests_an_edge = 32;
   struct Run {
     Box box;
     Index ring, first, last;
