@@ -64,7 +64,7 @@ std::string to_text(const std::vector<Row>& rows) {
     text += fmt::format("{:<25} {:<26} {:>8} {:>6}  {:<28} {:<7} ", std::string(m.title) + (m.in_table ? "" : " *"),
                         m.operands, m.contours, m.robust, m.worst, m.average);
     if (row.admitted)
-      text += fmt::format("{:>11.6f} {:>9} {:>10} {:>16.10g}  {}{}\n", row.seconds, row.result.contour_ends.size(),
+      text += fmt::format("{:>11.7f} {:>9} {:>10} {:>16.10g}  {}{}\n", row.seconds, row.result.contour_ends.size(),
                           row.result.points.size(), signed_area(row.result), row.same_bytes ? "yes" : "NO",
                           row.handed_over ? ", by settled noding" : "");
     else

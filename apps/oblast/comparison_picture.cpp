@@ -12,7 +12,7 @@ namespace oblast::app {
 
 namespace {
 
-constexpr double panel_width = 300, panel_height = 240, gap = 20, header = 40, caption = 38;
+constexpr double panel_width = 300, panel_height = 240, gap = 20, header = 40, caption = 38, verdict_width = 84;
 constexpr std::size_t columns = 4;
 
 std::string escaped(const std::string& text) {
@@ -25,6 +25,10 @@ std::string escaped(const std::string& text) {
 std::string text_at(double x, double y, int size, const char* colour, const std::string& text) {
   return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"{}\" fill=\"{}\">{}</text>\n", x, y, size, colour,
                      escaped(text));
+}
+
+std::string duration(double seconds) {
+  return seconds < 1e-3 ? fmt::format("{:.3g} us", seconds * 1e6) : fmt::format("{:.3g} ms", seconds * 1e3);
 }
 
 /// Words to lines of at most `width` characters.
@@ -59,10 +63,12 @@ std::string panel(const Row& row, const io::Frame& frame, const std::string& ope
       text += text_at(box.left + 12, y, 12, "#555", line), y += 16;
     return text;
   }
-  text +=
-      text_at(box.left, box.top - 6, 12, row.same_bytes ? "#276749" : "#c53030",
-              fmt::format("{:.3g} ms, {} contours, {} vertices{}", row.seconds * 1e3, row.result.contour_ends.size(),
-                          row.result.points.size(), row.same_bytes ? ", same bytes" : ", OTHER BYTES"));
+  const std::size_t contours = row.result.contour_ends.size();
+  text += text_at(box.left, box.top - 6, 12, "#555",
+                  fmt::format("{}, {} contour{}, {} vertices", duration(row.seconds), contours,
+                              contours == 1 ? "" : "s", row.result.points.size()));
+  text += text_at(box.left + box.width - verdict_width, box.top - 22, 12, row.same_bytes ? "#276749" : "#c53030",
+                  row.same_bytes ? "same bytes" : "OTHER BYTES");
   const io::DrawnContours result = io::draw_contours(row.result, frame, io::DrawAs::outlines, 1);
   text += operands;
   text += fmt::format(

@@ -14,8 +14,8 @@ namespace oblast {
 /// ones; fewer than three where the points are collinear.
 ///
 /// The scan is right for simple contours, in either direction, and its answer is checked in one more pass
-/// over the points, each against the hull's edge above or below it; where a contour is not simple and the scan fell for it, the hull is taken by the monotone
-/// chain (Andrew 1979). So the answer is the hull of the points in any case.
+/// over the points, each against the hull's edge above or below it; where a contour is not simple and the scan fell for
+/// it, the hull is taken by the monotone chain (Andrew 1979). So the answer is the hull of the points in any case.
 /// REQUIRES: coordinates in the domain (domain.h). Cost: O(n) for simple contours (the check finds edges by buckets: a
 /// logarithm of the corners in one bucket at worst), O(n log n) otherwise.
 std::vector<Point> hull(std::span<const Point> contour);

@@ -44,8 +44,8 @@ class HullSide {
   int side_of(const Point& p) const {
     const std::size_t b = bucket(p);
     // Rounding is monotone: corners of other buckets are smaller or larger in x than p, as their buckets are.
-    const auto after = std::upper_bound(corners_.begin() + first_[b], corners_.begin() + first_[b + 1], p,
-                                        lexicographically_less);
+    const auto after =
+        std::upper_bound(corners_.begin() + first_[b], corners_.begin() + first_[b + 1], p, lexicographically_less);
     const auto edge = std::min(after, corners_.end() - 1) - 1;
     return orientation(edge[0], edge[1], p);
   }

@@ -33,6 +33,7 @@ RegionSet regular(Plane& plane) {
   const bool complete = random.one_in(2);
   const int rings = complete ? 1 : random.between(1, 3);
   for (int i = 0; i < rings; ++i) append(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));
+  if (random.one_in(3)) soup = one_contour(keyhole(plane));  // becomes a ring with holes
   Options options;
   options.fill_a = FillRule::even_odd();
   const RegionSet r = unite(soup, options);

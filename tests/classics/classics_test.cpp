@@ -159,9 +159,8 @@ TEST(ClipWindow, ClipsLikeOverlay) {
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     Random random(seed);
     const ClassicCase c = inside(ClassicMethod::sutherland_hodgman, random);
-    EXPECT_EQ(ClipWindow(c.b).clip(c.a), by_pipeline(c.a, c.b, Operation::intersection))
-        << wkt(c.a) << '\n'
-        << wkt(c.b);
+    EXPECT_EQ(ClipWindow(c.b).clip(c.a), by_pipeline(c.a, c.b, Operation::intersection)) << wkt(c.a) << '\n'
+                                                                                         << wkt(c.b);
   }
 }
 

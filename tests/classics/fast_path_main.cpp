@@ -1,5 +1,5 @@
-// What the fast paths of `overlay` gain over its pipeline where they are taken, and cost where they decline: nanoseconds
-// a call, same results. Processor time of one thread.
+// What the fast paths of `overlay` gain over its pipeline where they are taken, and cost where they decline:
+// nanoseconds a call, same results. Processor time of one thread.
 //
 //   oblast_fast_path [SECONDS]        measuring time of each figure, default 0.3
 #include <oblast/classics.h>
@@ -86,7 +86,8 @@ void compare(const char* what, int n, const std::vector<ClassicCase>& cases) {
   }
   const double pipeline =
       measure(cases.size(), [&](std::size_t i) { by_pipeline(cases[i].a, cases[i].b, cases[i].operation); });
-  const double fast = measure(cases.size(), [&](std::size_t i) { overlay(cases[i].a, cases[i].b, cases[i].operation); });
+  const double fast =
+      measure(cases.size(), [&](std::size_t i) { overlay(cases[i].a, cases[i].b, cases[i].operation); });
   std::printf("%-50s %8d %7.0f %% %12.0f %12.0f %8.2f%s\n", what, n,
               100 * static_cast<double>(taken) / static_cast<double>(cases.size()), pipeline, fast, pipeline / fast,
               differ ? " DIFFER" : "");

@@ -87,7 +87,7 @@ TEST(WindowClip, Declines) {
   expect_declined(a, rectangle(1, 1, 3, 3), Operation::symmetric_difference);
   RegionSet overlapping = rectangle(0, 0, 4, 4);
   append(overlapping, {{1, 1}, {2, 1}, {2, 2}, {1, 2}});
-  expect_declined(overlapping, rectangle(0.5, 0.5, 3, 3), Operation::intersection);   // one in the other
+  expect_declined(overlapping, rectangle(0.5, 0.5, 3, 3), Operation::intersection);    // one in the other
   expect_declined(overlapping, rectangle(0.5, 0.5, 1.5, 3), Operation::intersection);  // and both across
   const RegionSet bow_tie = one_contour({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   expect_declined(bow_tie, rectangle(1, 1, 3, 3.5), Operation::intersection);

@@ -74,10 +74,10 @@ class WindowClip {
   struct Crossing {
     Point at;
     Index side, ring, edge;
-    bool enters;          ///< the window, as the ring is given
-    bool inside_ends;     ///< seen along the perimeter
-    bool done = false;    ///< its path is part of the result
-    Index position = 0;   ///< along the perimeter
+    bool enters;         ///< the window, as the ring is given
+    bool inside_ends;    ///< seen along the perimeter
+    bool done = false;   ///< its path is part of the result
+    Index position = 0;  ///< along the perimeter
   };
 
   static bool is_inside(const Ring& ring) { return ring.inside; }
@@ -124,8 +124,8 @@ class WindowClip {
   double gap_ = 0;
   Box reach_{};
   std::pmr::vector<Stretch> stretches_;
-  std::pmr::vector<Crossing> crossings_;   ///< ring by ring, in the order of the ring
-  std::pmr::vector<Index> perimeter_;      ///< crossings in their order along the perimeter
+  std::pmr::vector<Crossing> crossings_;  ///< ring by ring, in the order of the ring
+  std::pmr::vector<Index> perimeter_;     ///< crossings in their order along the perimeter
 };
 
 }  // namespace oblast::classics

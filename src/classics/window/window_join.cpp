@@ -72,11 +72,10 @@ void WindowClip::join(Operation operation, RegionSet& result) {
       const Ring& ring = rings_[from.ring];
       const bool forward = from.enters == from.inside_ends;
       const Index first = ring.first_crossing, end = ring.end_crossing;
-      const Crossing& to =
-          crossings_[forward ? (k + 1 == end ? first : k + 1) : (k == first ? end : k) - 1];
+      const Crossing& to = crossings_[forward ? (k + 1 == end ? first : k + 1) : (k == first ? end : k) - 1];
       add_path(from, forward, to, result);
-      const Index next = along ? (to.position + 1 == count ? 0 : to.position + 1)
-                               : (to.position == 0 ? count : to.position) - 1;
+      const Index next =
+          along ? (to.position + 1 == count ? 0 : to.position + 1) : (to.position == 0 ? count : to.position) - 1;
       k = perimeter_[next];
       add_perimeter(to, crossings_[k], along, result);
     }
