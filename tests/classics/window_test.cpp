@@ -33,11 +33,11 @@ void expect_declined(const RegionSet& a, const RegionSet& b, Operation operation
 
 constexpr Operation three[] = {Operation::intersection, Operation::unite, Operation::difference};
 
-/// A star of n vertices about the origin, radius 0.5 to 1.
+/// A star of n vertices about the origin, of radius 1; its spikes are as long as edges are wide apart.
 RegionSet star(int n) {
   std::vector<Point> ring;
   for (int i = 0; i < n; ++i) {
-    const double t = 2 * std::numbers::pi * i / n, r = i % 2 ? 0.5 : 1;
+    const double t = 2 * std::numbers::pi * i / n, r = i % 2 ? 1 - 3.5 / n : 1;
     ring.push_back({r * std::cos(t), r * std::sin(t)});
   }
   return one_contour(ring);
