@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "memory/large_pages.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -50,23 +51,51 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   return key;
 }
 
-/// Least significant digit first, 11 bits at a time.
+// A key has three digits.
+constexpr int digit_bits = 11, radix = 1 << digit_bits;
+using Counts = std::array<std::uint32_t, radix>;
+
+std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * digit_bits)) % radix; }
+
+/// Copies to `to` in the order of a digit, those of one digit as they come. `starts` becomes where each digit ends.
+void sort_by_digit(std::span<const Keyed> from, int digit, Counts& starts, std::span<Keyed> to) {
+  starts.fill(0);
+  for (const Keyed& k : from) ++starts[digit_of(k, digit)];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& s : starts) s = std::exchange(sum, sum + s);
+  for (const Keyed& k : from) to[starts[digit_of(k, digit)]++] = k;
+}
+
+void sort_small(std::span<Keyed> items) {
+  std::sort(items.begin(), items.end(),
+            [](const Keyed& p, const Keyed& q) { return p.key != q.key ? p.key < q.key : p.index < q.index; });
+}
+
+/// The first digit by one pass through memory; then each of its parts, which fits a cache, by the others, last digit
+/// first.
 void radix_sort(std::span<Keyed> items, std::vector<Keyed>& buffer) {
-  constexpr int digits = 3, bits = 11, radix = 1 << bits;
-  resize_in_large_pages(buffer, items.size());
-  std::array<std::array<std::uint32_t, radix>, digits> starts{};
-  for (const Keyed& k : items)
-    for (int d = 0; d < digits; ++d) ++starts[d][(k.key >> (d * bits)) % radix];
-  for (auto& digit : starts) {
-    std::uint32_t sum = 0;
-    for (std::uint32_t& s : digit) s = std::exchange(sum, sum + s);
+  constexpr std::size_t small_part = 1000, parts_a_task = 64;
+  if (buffer.size() < items.size()) {
+    buffer = {};
+    resize_in_large_pages(buffer, items.size());
   }
-  std::span<Keyed> from = items, to = buffer;
-  for (int d = 0; d < digits; ++d) {
-    for (const Keyed& k : from) to[starts[d][(k.key >> (d * bits)) % radix]++] = k;
-    std::swap(from, to);
-  }
-  std::copy(from.begin(), from.end(), items.begin());  // an odd number of passes ends in the buffer
+  Counts ends;
+  sort_by_digit(items, 2, ends, buffer);
+  for_ranges(radix, parts_a_task, [&](std::size_t first, std::size_t past) {
+    Counts starts;
+    for (std::size_t part = first; part < past; ++part) {
+      const std::uint32_t begin = part == 0 ? 0 : ends[part - 1], size = ends[part] - begin;
+      const std::span<Keyed> sorted = items.subspan(begin, size), unsorted = std::span(buffer).subspan(begin, size);
+      if (size <= small_part) {
+        sort_small(unsorted);
+        std::copy(unsorted.begin(), unsorted.end(), sorted.begin());
+      } else {
+        sort_by_digit(unsorted, 0, starts, sorted);
+        std::copy(sorted.begin(), sorted.end(), unsorted.begin());
+        sort_by_digit(unsorted, 1, starts, sorted);
+      }
+    }
+  });
 }
 
 class CurveSort {
@@ -84,8 +113,7 @@ class CurveSort {
       const auto part = std::span(items_).subspan(begin, end - begin);
       if (!give_keys(part)) continue;
       if (part.size() < 2000)
-        std::sort(part.begin(), part.end(),
-                  [](const Keyed& p, const Keyed& q) { return p.key != q.key ? p.key < q.key : p.index < q.index; });
+        sort_small(part);
       else
         radix_sort(part, buffer_);
       queue_crowded_cells(begin, end);
@@ -107,11 +135,14 @@ class CurveSort {
     const double size = std::max(high.x - low.x, high.y - low.y);
     if (size == 0) return false;
     const double scale = 65535.0 / size;
-    for (Keyed& k : part) {
-      const Point& p = points_[k.index];
-      k.key = hilbert_key(static_cast<std::uint32_t>((p.x - low.x) * scale),
-                          static_cast<std::uint32_t>((p.y - low.y) * scale));
-    }
+    constexpr std::size_t keys_a_task = 32768;
+    for_ranges(part.size(), keys_a_task, [&](std::size_t first, std::size_t past) {
+      for (Keyed& k : part.subspan(first, past - first)) {
+        const Point& p = points_[k.index];
+        k.key = hilbert_key(static_cast<std::uint32_t>((p.x - low.x) * scale),
+                            static_cast<std::uint32_t>((p.y - low.y) * scale));
+      }
+    });
     return true;
   }
 

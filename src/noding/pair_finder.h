@@ -30,8 +30,8 @@ struct RunPair {
 /// A search over no more runs than this visits no pair twice.
 inline constexpr std::size_t runs_of_one_cell = 512;
 
-/// And over no more than this it stays on the caller's thread.
-inline constexpr std::size_t runs_of_one_thread = 20000;
+/// And over no more than this it stays on the caller's thread: few long edges may still meet in very many places.
+inline constexpr std::size_t runs_of_one_thread = runs_of_one_cell;
 
 /// Called a batch at a time, from several threads at once.
 using PairVisitor = std::function<void(std::span<const RunPair>)>;

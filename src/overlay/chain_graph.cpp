@@ -75,36 +75,55 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     const Point &p_place = places[p.index], &q_place = places[q.index];
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };
+  // Where a stop's place differs from that of the one before, a node begins.
+  std::vector<std::uint8_t> begins(order.size());
+  constexpr std::size_t stops_a_task = 32768;
+  // Ranges of whole keys: stops of one key are sorted together.
+  std::vector<std::size_t> bounds{0};
+  for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
+    while (i < order.size() && order[i].key == order[i - 1].key) ++i;
+    bounds.push_back(i);
+  }
+  bounds.push_back(order.size());
+  for_ranges(bounds.size() - 1, 1, [&](std::size_t range, std::size_t past) {
+    for (std::size_t first = bounds[range], last; first < bounds[past]; first = last) {
+      for (last = first + 1; last < bounds[past] && order[last].key == order[first].key; ++last) continue;
+      if (last - first > 1)
+        std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
+                  in_order);
+      begins[first] = 1;
+      for (std::size_t i = first + 1; i < last; ++i) begins[i] = places[order[i].index] != places[order[i - 1].index];
+    }
+  });
+
   std::vector<std::uint32_t> node_of;
   resize_in_large_pages(node_of, places.size());
+  const auto node_count = static_cast<std::size_t>(std::count(begins.begin(), begins.end(), 1));
   stops.order.reserve(order.size());
-  reserve_in_large_pages(graph.node_vertex, order.size());
-  reserve_in_large_pages(graph.list_ends, order.size());
-  stops.ends.reserve(order.size());
+  stops.ends.reserve(node_count);
+  reserve_in_large_pages(graph.node_vertex, node_count);
+  reserve_in_large_pages(graph.list_ends, node_count);
   std::uint32_t list_end = 0;
-  for (std::size_t first = 0, last; first < order.size(); first = last) {
-    for (last = first + 1; last < order.size() && order[last].key == order[first].key; ++last) continue;
-    std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
-              in_order);
-    for (std::size_t i = first; i < last; ++i) {
-      const std::uint32_t stop = order[i].index;
-      if (i == first || places[stop] != places[order[i - 1].index]) {
-        graph.node_vertex.push_back(stops.vertex[stop]);
-        graph.list_ends.push_back(list_end);
-        stops.ends.push_back(static_cast<std::uint32_t>(i));
-      }
-      list_end += stops.degree(stop);
-      graph.list_ends.back() = list_end;
-      stops.ends.back() = static_cast<std::uint32_t>(i + 1);
-      node_of[stop] = static_cast<std::uint32_t>(graph.node_vertex.size() - 1);
-      stops.order.push_back(stop);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::uint32_t stop = order[i].index;
+    if (begins[i]) {
+      graph.node_vertex.push_back(stops.vertex[stop]);
+      graph.list_ends.push_back(list_end);
+      stops.ends.push_back(static_cast<std::uint32_t>(i));
     }
+    list_end += stops.degree(stop);
+    graph.list_ends.back() = list_end;
+    stops.ends.back() = static_cast<std::uint32_t>(i + 1);
+    node_of[stop] = static_cast<std::uint32_t>(graph.node_vertex.size() - 1);
+    stops.order.push_back(stop);
   }
-  for (Chain& chain : graph.chains) {
-    if (chain.is_loop()) continue;
-    chain.from = node_of[chain.from];
-    chain.to = node_of[chain.to];
-  }
+  for_ranges(graph.chains.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
+    for (Chain& chain : std::span(graph.chains).subspan(begin, end - begin)) {
+      if (chain.is_loop()) continue;
+      chain.from = node_of[chain.from];
+      chain.to = node_of[chain.to];
+    }
+  });
 }
 
 /// A descriptor with the point it aims at, so that sorting by angle finds it at hand.

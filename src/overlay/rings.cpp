@@ -2,30 +2,45 @@
 
 #include <algorithm>
 
+#include "parallel/for_ranges.h"
+
 namespace oblast {
+namespace {
+
+/// Writes the vertices of a contour to points and flags from `vertex` on.
+void write_ring(const ChainGraph& graph, const std::vector<std::uint8_t>& node_flags,
+                std::span<const Descriptor> contour, std::uint32_t vertex, Rings& rings) {
+  for (const Descriptor d : contour) {
+    const Chain& chain = graph.chains[chain_of(d)];
+    const auto first = graph.strands.points.begin() + chain.first, last = graph.strands.points.begin() + chain.last;
+    const auto to = rings.points.begin() + vertex;
+    if (is_backward(d))
+      std::copy(std::reverse_iterator(last + 1), std::reverse_iterator(first + 1), to);
+    else
+      std::copy(first, last, to);
+    if (!chain.is_loop()) rings.flags[vertex] = node_flags[graph.start_node(d)];
+    vertex += chain.last - chain.first;
+  }
+}
+
+}  // namespace
 
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
   const std::vector<std::uint8_t> node_flags = classify_nodes(graph, selection);
   Rings rings;
-  std::size_t size = 0;
-  for (const Descriptor d : linked.descriptors)
-    size += graph.chains[chain_of(d)].last - graph.chains[chain_of(d)].first;
-  rings.points.reserve(size);
-  rings.flags.reserve(size);
   rings.ends.reserve(linked.ends.size());
+  std::uint32_t size = 0;
   for (std::size_t c = 0; c < linked.ends.size(); ++c) {
-    for (const Descriptor d : linked.contour(c)) {
-      const Chain& chain = graph.chains[chain_of(d)];
-      const auto first = graph.strands.points.begin() + chain.first, last = graph.strands.points.begin() + chain.last;
-      if (is_backward(d))
-        rings.points.insert(rings.points.end(), std::reverse_iterator(last + 1), std::reverse_iterator(first + 1));
-      else
-        rings.points.insert(rings.points.end(), first, last);
-      rings.flags.push_back(chain.is_loop() ? std::uint8_t{0} : node_flags[graph.start_node(d)]);
-      rings.flags.resize(rings.points.size(), 0);
-    }
-    rings.ends.push_back(static_cast<std::uint32_t>(rings.points.size()));
+    for (const Descriptor d : linked.contour(c))
+      size += graph.chains[chain_of(d)].last - graph.chains[chain_of(d)].first;
+    rings.ends.push_back(size);
   }
+  rings.points.resize(size);
+  rings.flags.resize(size, 0);
+  constexpr std::size_t contours_a_task = 2048;
+  for_ranges(rings.size(), contours_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) write_ring(graph, node_flags, linked.contour(c), rings.begin(c), rings);
+  });
   return rings;
 }
 

@@ -90,9 +90,21 @@ class Labelling {
     }
   }
 
-  /// Of each component, and of each contour that meets nothing, which is one by itself.
+  /// Of each component, and of each contour that meets nothing, which is one by itself: among the nodes and among the
+  /// vertices between them.
   void find_smallest_vertices() {
+    const auto note = [&](std::uint32_t component, std::uint32_t chain, std::uint32_t vertex) {
+      Component& found = components_[component];
+      if (found.vertex == none || lexicographically_less(graph_.point(vertex), graph_.point(found.vertex)))
+        found = {chain, vertex, {}};
+    };
+    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
+      if (component_of_node_[node] == none) continue;
+      const Descriptor first = graph_.list(node)[0];
+      note(component_of_node_[node], chain_of(first), graph_.start_vertex(first));
+    }
     const auto chain_count = static_cast<std::uint32_t>(graph_.chains.size());
+    live_.reserve(chain_count);
     for (std::uint32_t c = 0; c < chain_count; ++c) {
       if (!graph_.is_live(c)) continue;
       live_.push_back(c);
@@ -100,10 +112,7 @@ class Labelling {
       component_of_[c] =
           chain.is_loop() ? static_cast<std::uint32_t>(components_.size()) : component_of_node_[chain.from];
       if (chain.is_loop()) components_.push_back({c, chain.first, {}});
-      Component& component = components_[component_of_[c]];
-      for (std::uint32_t v = chain.first; v <= chain.last; ++v)
-        if (component.vertex == none || lexicographically_less(graph_.point(v), graph_.point(component.vertex)))
-          component = {c, v, {}};
+      for (std::uint32_t v = chain.first + 1; v < chain.last; ++v) note(component_of_[c], c, v);
     }
   }
 
