@@ -68,7 +68,8 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
   const auto touches_elsewhere = [&](int side, const Point& p) { return side == 0 && !own.meets(Box::of(p, p)); };
   const auto touches_here = [&](int side, const Point& p) { return side == 0 && entry.box.meets(Box::of(p, p)); };
   const bool touches = touches_here(c_side, c) || touches_here(d_side, d);
-  if (!touches_elsewhere(c_side, c) && !touches_elsewhere(d_side, d) && (cut.margin == 0 || touches)) {
+  if (!touches_elsewhere(c_side, c) && !touches_elsewhere(d_side, d) &&
+      (cut.margin == 0 || (touches && cut.parts_touching))) {
     if (c_side >= 0 && d_side >= 0) sides.right = false;
     if (c_side <= 0 && d_side <= 0) sides.left = false;
     sides.touches = touches && !(sides.left && sides.right);
@@ -162,12 +163,16 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   const Sample sample(entries);
   CellCut best = best_axis_cut(entries, margin);
   constexpr double good = 1.15, acceptable = 1.5;
-  for (std::size_t i = 0; i < sample_size; ++i) {
-    if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
-    CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin};
-    judge(cut, sample.span(), divide);
-    if (cut.growth < best.growth) best = cut;
-  }
+  const auto try_edges = [&](bool parts_touching) {
+    for (std::size_t i = 0; i < sample_size; ++i) {
+      if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
+      CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin, parts_touching};
+      judge(cut, sample.span(), divide);
+      if (cut.growth < best.growth) best = cut;
+    }
+  };
+  if (margin > 0) try_edges(false);
+  if (margin == 0 || best.growth > acceptable) try_edges(true);
   return best;
 }
 

@@ -22,6 +22,9 @@ struct CellCut {
   double at = 0;           ///< for at_x and at_y
   std::uint32_t edge = 0;  ///< for along_edge
   double margin = 0;       ///< what comes this near to the cut is on both sides of it
+  /// Along an edge: others that touch it in a vertex are on one side only. So a fan can be divided, but what comes near
+  /// them on the other side is missed.
+  bool parts_touching = true;
   /// Entries in both halves over entries in the cell, by a sample; infinite for a cut that does not help.
   double growth = std::numeric_limits<double>::infinity();
 };

@@ -383,7 +383,8 @@ std::vector<EdgeCut> arrange(const Strands& strands, std::span<const Found> foun
   for (const auto& part : found)
     for (const EdgeCut& cut : part.cuts) cuts[ends[cut.edge]++] = cut;
 
-  constexpr std::size_t edges_a_task = 16384;
+  constexpr std::size_t cuts_a_task = 16384;
+  const std::size_t edges_a_task = 1 + cuts_a_task * points.size() / (points.size() + cuts.size());
   for_ranges(points.size(), edges_a_task, [&](std::size_t first, std::size_t past) {
     std::size_t strand = strands.strand_of(static_cast<std::uint32_t>(first));
     for (std::size_t e = first; e < past; ++e) {

@@ -1,5 +1,6 @@
 #include "noding/merge_identical_edges.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "noding/point_hash.h"
@@ -9,45 +10,64 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
 
-/// Visits every edge with a hash that is the same for both directions.
-template <class Visit>
-void for_each_edge(const Strands& strands, const Visit& visit) {
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    std::uint64_t from = hash(strands.points[strands.begin(s)]);
-    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
-      const std::uint64_t to = hash(strands.points[e + 1]);
-      visit(e, mix(from + to));
-      from = to;
-    }
-  }
-}
-
 /// The edges that another edge may be identical to: those whose hash is shared by its last bits. Most are told apart by
 /// one look into a table small enough for a cache.
-std::vector<std::uint32_t> edges_with_shared_hash(const Strands& strands) {
-  constexpr std::size_t bits_an_edge = 16;
-  const std::size_t words = std::bit_ceil(strands.points.size() * bits_an_edge / 64 + 1);
+class SharedHashes {
+ public:
+  explicit SharedHashes(const Strands& strands)
+      : strands_(strands), table_(std::bit_ceil(strands.points.size() * bits_an_edge / 64 + 1)) {}
+
+  std::vector<std::uint32_t> run() {
+    std::uint64_t any = 0;
+    for_each_edge([&](std::uint32_t, std::uint64_t hash) {
+      Word& word = word_of(hash);
+      const std::uint64_t repeated = word.seen & bit_of(hash);
+      word.seen |= bit_of(hash);
+      word.shared |= repeated;
+      any |= repeated;
+    });
+    std::vector<std::uint32_t> edges;
+    if (any == 0) return edges;
+    for_each_edge([&](std::uint32_t e, std::uint64_t hash) {
+      if (word_of(hash).shared & bit_of(hash)) edges.push_back(e);
+    });
+    return edges;
+  }
+
+ private:
+  static constexpr std::size_t bits_an_edge = 16;
   struct Word {
     std::uint64_t seen = 0, shared = 0;  ///< by hash: some edge has it, more than one has
   };
-  std::vector<Word> table(words);
-  const auto word_of = [&](std::uint64_t hash) -> Word& { return table[(hash >> 6) & (words - 1)]; };
-  const auto bit_of = [](std::uint64_t hash) { return std::uint64_t{1} << (hash & 63); };
-  std::uint64_t any = 0;
-  for_each_edge(strands, [&](std::uint32_t, std::uint64_t hash) {
-    Word& word = word_of(hash);
-    const std::uint64_t repeated = word.seen & bit_of(hash);
-    word.seen |= bit_of(hash);
-    word.shared |= repeated;
-    any |= repeated;
-  });
-  std::vector<std::uint32_t> edges;
-  if (any == 0) return edges;
-  for_each_edge(strands, [&](std::uint32_t e, std::uint64_t hash) {
-    if (word_of(hash).shared & bit_of(hash)) edges.push_back(e);
-  });
-  return edges;
-}
+
+  Word& word_of(std::uint64_t hash) { return table_[(hash >> 6) & (table_.size() - 1)]; }
+  static std::uint64_t bit_of(std::uint64_t hash) { return std::uint64_t{1} << (hash & 63); }
+
+  /// Visits every edge with a hash that is the same for both directions, a few edges after its word was asked for:
+  /// the table is larger than the nearest cache.
+  template <class Visit>
+  void for_each_edge(const Visit& visit) {
+    constexpr std::uint32_t most_ahead = 16;
+    std::uint64_t hashes[most_ahead];
+    for (std::size_t s = 0; s < strands_.size(); ++s) {
+      const std::uint32_t last = strands_.ends[s] - 1;
+      std::uint64_t from = hash(strands_.points[strands_.begin(s)]);
+      for (std::uint32_t first = strands_.begin(s); first < last; first += most_ahead) {
+        const std::uint32_t count = std::min(most_ahead, last - first);
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const std::uint64_t to = hash(strands_.points[first + i + 1]);
+          hashes[i] = mix(from + to);
+          __builtin_prefetch(&word_of(hashes[i]), 1);
+          from = to;
+        }
+        for (std::uint32_t i = 0; i < count; ++i) visit(first + i, hashes[i]);
+      }
+    }
+  }
+
+  const Strands& strands_;
+  std::vector<Word> table_;
+};
 
 /// Links every edge to the first one with the same ends: an open-addressing table of edges.
 class EdgeTable {
@@ -80,7 +100,7 @@ struct Merged {
 }  // namespace
 
 std::vector<std::uint32_t> identical_edges(const Strands& strands) {
-  const std::vector<std::uint32_t> candidates = edges_with_shared_hash(strands);
+  const std::vector<std::uint32_t> candidates = SharedHashes(strands).run();
   std::vector<std::uint32_t> same;
   if (candidates.empty()) return same;
   EdgeTable table(strands.points, candidates.size());

@@ -101,7 +101,7 @@ class Finder {
   bool clip_to(const Cell& cell, Entry& edge) const {
     const auto keep = [&](CutKind kind, double at, bool right) {
       if (at == infinity || at == -infinity) return true;
-      const Sides sides = divide_edge(points_, edge, {kind, at, 0, nearness_.margin});
+      const Sides sides = divide_edge(points_, edge, {kind, at, 0, nearness_.margin, true});
       edge.box = right ? sides.right_box : sides.left_box;
       return right ? sides.right : sides.left;
     };

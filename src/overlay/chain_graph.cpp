@@ -75,48 +75,63 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     const Point &p_place = places[p.index], &q_place = places[q.index];
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };
-  // Where a stop's place differs from that of the one before, a node begins.
-  std::vector<std::uint8_t> begins(order.size());
+  // Ranges of whole keys: stops of one key are sorted together, and stops at one place are among them.
+  struct Range {
+    std::size_t begin;
+    std::uint32_t first_node = 0, first_list = 0;  ///< how many nodes, and entries of lists, come before
+  };
   constexpr std::size_t stops_a_task = 32768;
-  // Ranges of whole keys: stops of one key are sorted together.
-  std::vector<std::size_t> bounds{0};
+  std::vector<Range> ranges{{0}};
   for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
     while (i < order.size() && order[i].key == order[i - 1].key) ++i;
-    bounds.push_back(i);
+    ranges.push_back({i});
   }
-  bounds.push_back(order.size());
-  for_ranges(bounds.size() - 1, 1, [&](std::size_t range, std::size_t past) {
-    for (std::size_t first = bounds[range], last; first < bounds[past]; first = last) {
-      for (last = first + 1; last < bounds[past] && order[last].key == order[first].key; ++last) continue;
-      if (last - first > 1)
-        std::sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.begin() + static_cast<std::ptrdiff_t>(last),
-                  in_order);
-      begins[first] = 1;
-      for (std::size_t i = first + 1; i < last; ++i) begins[i] = places[order[i].index] != places[order[i - 1].index];
+  ranges.push_back({order.size()});
+  std::vector<std::uint8_t> begins_node(order.size());
+  for_ranges(ranges.size() - 1, 1, [&](std::size_t range, std::size_t past) {
+    for (; range < past; ++range) {
+      std::uint32_t nodes = 0, listed = 0;
+      for (std::size_t first = ranges[range].begin, last; first < ranges[range + 1].begin; first = last) {
+        for (last = first + 1; last < ranges[range + 1].begin && order[last].key == order[first].key; ++last) continue;
+        if (last - first > 1) std::sort(order.data() + first, order.data() + last, in_order);
+        for (std::size_t i = first; i < last; ++i) {
+          begins_node[i] = i == first || places[order[i].index] != places[order[i - 1].index];
+          nodes += begins_node[i];
+          listed += stops.degree(order[i].index);
+        }
+      }
+      // Summed up below.
+      ranges[range + 1].first_node = nodes;
+      ranges[range + 1].first_list = listed;
     }
   });
+  for (std::size_t range = 1; range < ranges.size(); ++range) {
+    ranges[range].first_node += ranges[range - 1].first_node;
+    ranges[range].first_list += ranges[range - 1].first_list;
+  }
 
+  const std::uint32_t node_count = ranges.back().first_node;
   std::vector<std::uint32_t> node_of;
   resize_in_large_pages(node_of, places.size());
-  const auto node_count = static_cast<std::size_t>(std::count(begins.begin(), begins.end(), 1));
-  stops.order.reserve(order.size());
-  stops.ends.reserve(node_count);
-  reserve_in_large_pages(graph.node_vertex, node_count);
-  reserve_in_large_pages(graph.list_ends, node_count);
-  std::uint32_t list_end = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t stop = order[i].index;
-    if (begins[i]) {
-      graph.node_vertex.push_back(stops.vertex[stop]);
-      graph.list_ends.push_back(list_end);
-      stops.ends.push_back(static_cast<std::uint32_t>(i));
+  stops.order.resize(order.size());
+  stops.ends.resize(node_count);
+  resize_in_large_pages(graph.node_vertex, node_count);
+  resize_in_large_pages(graph.list_ends, node_count);
+  for_ranges(ranges.size() - 1, 1, [&](std::size_t range, std::size_t past) {
+    for (; range < past; ++range) {
+      std::uint32_t next_node = ranges[range].first_node, list_end = ranges[range].first_list;
+      for (std::size_t i = ranges[range].begin; i < ranges[range + 1].begin; ++i) {
+        const std::uint32_t stop = order[i].index;
+        if (begins_node[i]) graph.node_vertex[next_node++] = stops.vertex[stop];
+        const std::uint32_t node = next_node - 1;
+        list_end += stops.degree(stop);
+        graph.list_ends[node] = list_end;
+        stops.ends[node] = static_cast<std::uint32_t>(i + 1);
+        node_of[stop] = node;
+        stops.order[i] = stop;
+      }
     }
-    list_end += stops.degree(stop);
-    graph.list_ends.back() = list_end;
-    stops.ends.back() = static_cast<std::uint32_t>(i + 1);
-    node_of[stop] = static_cast<std::uint32_t>(graph.node_vertex.size() - 1);
-    stops.order.push_back(stop);
-  }
+  });
   for_ranges(graph.chains.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
     for (Chain& chain : std::span(graph.chains).subspan(begin, end - begin)) {
       if (chain.is_loop()) continue;
