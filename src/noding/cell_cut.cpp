@@ -172,7 +172,7 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
     }
   };
   if (margin > 0) try_edges(false);
-  if (margin == 0 || best.growth > acceptable) try_edges(true);
+  if (margin == 0 || best.growth > 1.3) try_edges(true);
   return best;
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t clipped_leaf_size = 32;
 constexpr std::size_t batch_size = 1024;
 // Cells below this size, or with a cut better than this growth, are content with boxes.
 constexpr std::size_t bundle_size = 512;
-constexpr double box_growth = 1.3;
+constexpr double box_growth = 1.2;
 // A cut that copies more than this is no progress: everything meets nearly everything.
 constexpr double largest_growth = 1.8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
