@@ -174,11 +174,11 @@ class MeetingTest {
     }
   }
 
-  /// True when the edges are separate or cross, clearly (clearance.h). A distance above the clearance is far above the
-  /// rounding of its computation.
+  /// True when the edges are separate or cross, clearly (clearance.h). Areas are computed from an end of the edge (p, q):
+  /// their rounding is then in proportion to its length, however far r is, and below a quarter of what is asked for.
   bool test_clearly(std::uint32_t i, std::uint32_t j, const Point& a, const Point& b, const Point& c, const Point& d) {
     const auto area = [](const Point& p, const Point& q, const Point& r) {
-      return (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
+      return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
     };
     const auto length_bound = [](const Point& p, const Point& q) {
       return std::fabs(q.x - p.x) + std::fabs(q.y - p.y);

@@ -120,6 +120,20 @@ TEST(Node, ofEachKindOfMeeting) {
   expect_noding({edge, {{2, 0}, {2, 1}}, {{2, 0}, {1, -1}}}, {1, 2});  // two at one place: one cut
 }
 
+TEST(Node, anEdgeOfAFewUlpsAcrossALongOne) {
+  // Seed 6349 of the near-parallel bundles: seen from the far ends of the long edge, the rounding of an area over the
+  // short one used to be taken for a clear distance, and the crossing was lost.
+  // Nothing else cuts either edge.
+  const Strands input = strands_of(
+      {closed({{16.386259339587145, -14.341296103814724}, {59.963377853967316, -54.322355932235851}, {60, 60}}),
+       closed(
+           {{27.102825824795236, -24.173513111439227}, {27.102825824795243, -24.173513111439238}, {20, -30}, {5, 0}})});
+  NodingReport report;
+  const Strands noded = node(input, report);
+  EXPECT_GT(report.cuts, 0u);
+  expect_no_bad_meeting(noded);
+}
+
 TEST(Node, ofAContourByItself) {
   expect_noding({closed({{0, 0}, {2, 2}, {2, 0}, {0, 2}})}, {2, 2});
   expect_noding({closed({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})}, {1, 2});  // a vertex on an edge
