@@ -11,11 +11,11 @@
 //     turns them by less than 2 u / l < s / 16 each, too little for one to reach the other.
 //   - a common end v, where the edges go out at an angle of sine s. As above, with v for the crossing; where they go
 //     out more than a right angle apart, l > t alone is enough (s = 1).
-// What is computed to be more than t is at least 25 u: the doubled area over an edge, divided by its length, is rounded by
-// less than 7 u where it is computed from an end of the edge. The bounds below leave room for that.
-// Then no two pieces of theirs meet but in common ends. Of two edges that keep clear of each other in none of these
-// ways both are flagged (near_flag), and an edge whose own cuts are too near each other is. The next round looks at
-// pieces of flagged edges only, and at all that those may reach: usually next to nothing.
+// What is computed to be more than t is at least 25 u: the doubled area over an edge, divided by its length, is rounded
+// by less than 7 u where it is computed from an end of the edge. The bounds below leave room for that. Then no two
+// pieces of theirs meet but in common ends. Of two edges that keep clear of each other in none of these ways both are
+// flagged (near_flag), and an edge whose own cuts are too near each other is. The next round looks at pieces of flagged
+// edges only, and at all that those may reach: usually next to nothing.
 #pragma once
 
 #include <cstdint>

@@ -174,8 +174,9 @@ class MeetingTest {
     }
   }
 
-  /// True when the edges are separate or cross, clearly (clearance.h). Areas are computed from an end of the edge (p, q):
-  /// their rounding is then in proportion to its length, however far r is, and below a quarter of what is asked for.
+  /// True when the edges are separate or cross, clearly (clearance.h). Areas are computed from an end of the edge (p,
+  /// q): their rounding is then in proportion to its length, however far r is, and below a quarter of what is asked
+  /// for.
   bool test_clearly(std::uint32_t i, std::uint32_t j, const Point& a, const Point& b, const Point& c, const Point& d) {
     const auto area = [](const Point& p, const Point& q, const Point& r) {
       return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
