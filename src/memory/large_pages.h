@@ -23,7 +23,7 @@ void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
   constexpr std::uintptr_t page = std::uintptr_t{2} << 20;
   const auto begin = reinterpret_cast<std::uintptr_t>(items.data());
   const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + count * sizeof(T)) / page * page;
-  if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - begin), last - first, MADV_HUGEPAGE);
 #endif
 }
 

@@ -6,7 +6,6 @@
 
 namespace oblast {
 
-using noding::Simplicity;
 using noding::Strands;
 
 bool resolve(const RegionView& rings, noding::Winding winding, noding::Group group, Control& control,
