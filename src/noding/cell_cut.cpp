@@ -162,7 +162,7 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   const auto divide = [&](const Entry& e, const CellCut& c) { return divide_edge(points, e, c); };
   const Sample sample(entries);
   CellCut best = best_axis_cut(entries, margin);
-  constexpr double good = 1.15, acceptable = 1.5;
+  constexpr double good = 1.15, worth_parting = 1.3, acceptable = 1.5;
   const auto try_edges = [&](bool parts_touching) {
     for (std::size_t i = 0; i < sample_size; ++i) {
       if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
@@ -172,7 +172,7 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
     }
   };
   if (margin > 0) try_edges(false);
-  if (margin == 0 || best.growth > 1.3) try_edges(true);
+  if (margin == 0 || best.growth > worth_parting) try_edges(true);
   return best;
 }
 

@@ -14,16 +14,6 @@ namespace {
 using verify::NodedArrangement;
 using verify::WideInteger;
 
-Options options_of(const Request& request) {
-  Options options;
-  options.fill_a = request.fill_a;
-  options.fill_b = request.fill_b;
-  options.contours = request.contours;
-  options.collinear = request.collinear;
-  options.threads = 1;
-  return options;
-}
-
 NodedArrangement arrangement_of(const ChainGraph& graph, const Options& options) {
   std::vector<verify::NodedEdge> edges;
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {

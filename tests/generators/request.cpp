@@ -58,6 +58,16 @@ Request draw_request(std::uint64_t seed) {
   return request;
 }
 
+Options options_of(const Request& request) {
+  Options options;
+  options.fill_a = request.fill_a;
+  options.fill_b = request.fill_b;
+  options.contours = request.contours;
+  options.collinear = request.collinear;
+  options.threads = 1;
+  return options;
+}
+
 std::string to_text(const Request& request) {
   return "fill_a=" + to_text(request.fill_a) + " fill_b=" + to_text(request.fill_b) +
          (request.contours == ContourConvention::ogc ? " ogc" : " leonov_nikitin") +

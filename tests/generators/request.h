@@ -25,4 +25,7 @@ struct Request {
 Request draw_request(std::uint64_t seed);
 std::string to_text(const Request& request);
 
+/// The options of a call on one thread that asks for it.
+Options options_of(const Request& request);
+
 }  // namespace oblast::generators

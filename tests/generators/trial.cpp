@@ -19,12 +19,7 @@ constexpr std::array operations{Operation::intersection, Operation::unite, Opera
                                 Operation::symmetric_difference};
 
 Options options_of(const Request& request, Statistics* statistics) {
-  Options options;
-  options.fill_a = request.fill_a;
-  options.fill_b = request.fill_b;
-  options.contours = request.contours;
-  options.collinear = request.collinear;
-  options.threads = 1;
+  Options options = options_of(request);
   options.statistics = statistics;
   using Clock = std::chrono::steady_clock;
   const auto until =
