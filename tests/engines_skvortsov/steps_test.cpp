@@ -17,13 +17,6 @@ using skvortsov::MarkedMesh;
 
 class Steps : public ::testing::TestWithParam<generators::HostileGenerator> {};
 
-Options options_of(const generators::Request& request) {
-  Options options;
-  options.fill_a = request.fill_a;
-  options.fill_b = request.fill_b;
-  return options;
-}
-
 TEST_P(Steps, everyEdgeIsASideOfTheTriangulation) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     const ChainGraph graph = arrangement_of(GetParam().make(seed, 60), options_of(generators::draw_request(seed)));
