@@ -11,25 +11,25 @@ namespace {
 
 constexpr std::size_t sample_size = 31;
 constexpr std::size_t edges_tried = 5;
+constexpr std::uint32_t shortest_divided = 3;  // edges of a run; to look at the points of a shorter one gains nothing
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double low(const Box& box, CutKind kind) { return kind == CutKind::at_x ? box.x0 : box.y0; }
-double high(const Box& box, CutKind kind) { return kind == CutKind::at_x ? box.x1 : box.y1; }
+double low(const Box& box, CutKind kind) { return low(box, kind == CutKind::at_x ? Axis::x : Axis::y); }
+double high(const Box& box, CutKind kind) { return high(box, kind == CutKind::at_x ? Axis::x : Axis::y); }
 
-/// The clipped edge runs along a diagonal of its box.
+bool reaches_left(double low, const CellCut& cut) { return low - cut.margin < cut.at; }
+bool reaches_right(double high, const CellCut& cut) { return high + cut.margin >= cut.at; }
+
+/// The whole edge, whatever of it is in the cell: parts are computed from it each time, so that their rounding does not
+/// add up from cut to cut. Both coordinates are monotone along it, so a part of it is the part of its box.
 struct Fragment {
   Point p, q;
 };
 
-Fragment fragment_of(std::span<const Point> points, const Entry& e) {
-  const Point &a = points[e.first], &b = points[e.first + 1];
-  const bool rising = (a.x < b.x) == (a.y < b.y);
-  if (rising) return {{e.box.x0, e.box.y0}, {e.box.x1, e.box.y1}};
-  return {{e.box.x0, e.box.y1}, {e.box.x1, e.box.y0}};
-}
+Fragment fragment_of(std::span<const Point> points, const Entry& e) { return {points[e.first], points[e.first + 1]}; }
 
-/// The box of the fragment's part between parameters s and t, widened by the rounding of its computation and kept
-/// inside the box there was.
+/// The box of the edge between parameters s and t, widened by the rounding of its computation, within the box of what
+/// of it is in the cell. Empty where that part is not in the cell.
 Box part_of(const Fragment& f, double s, double t, const Box& whole) {
   s = std::clamp(s, 0.0, 1.0);
   t = std::clamp(t, 0.0, 1.0);
@@ -41,8 +41,10 @@ Box part_of(const Fragment& f, double s, double t, const Box& whole) {
           std::min(box.x1 + x_margin, whole.x1), std::min(box.y1 + y_margin, whole.y1)};
 }
 
+bool is_empty(const Box& box) { return box.x0 > box.x1 || box.y0 > box.y1; }
+
 Sides divide_at_value(const Fragment& f, const Entry& entry, const CellCut& cut) {
-  Sides sides = divide_box(entry, cut);
+  Sides sides = divide_run({}, entry, cut);
   if (!sides.left || !sides.right) return sides;
   const bool x = cut.kind == CutKind::at_x;
   const double from = x ? f.p.x : f.p.y, to = x ? f.q.x : f.q.y;
@@ -51,13 +53,13 @@ Sides divide_at_value(const Fragment& f, const Entry& entry, const CellCut& cut)
   const double error = 4 * epsilon * (1 + (std::fabs(from) + std::fabs(cut.at)) / std::fabs(to - from)) +
                        cut.margin / std::fabs(to - from);
   const bool p_left = from < to;
-  (p_left ? sides.left_box : sides.right_box) = part_of(f, 0, t + error, entry.box);
-  (p_left ? sides.right_box : sides.left_box) = part_of(f, t - error, 1, entry.box);
+  (p_left ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + error, entry.box);
+  (p_left ? sides.right_part.box : sides.left_part.box) = part_of(f, t - error, 1, entry.box);
   return sides;
 }
 
 Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const Entry& entry, const CellCut& cut) {
-  Sides sides{true, true, entry.box, entry.box};
+  Sides sides{true, true, entry, entry};
   const Point &a = points[cut.edge], &b = points[cut.edge + 1];
   const Point &c = points[entry.first], &d = points[entry.first + 1];
   const int c_side = exact::orientation(a, b, c), d_side = exact::orientation(a, b, d);
@@ -89,23 +91,27 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
   if (p < -error && q < -error) sides.left = false;
   if (!sides.left || !sides.right || std::fabs(p - q) <= 4 * error) return sides;
   const double t = p / (p - q), t_error = 4 * error / std::fabs(p - q) + 4 * epsilon;
-  (p > q ? sides.left_box : sides.right_box) = part_of(f, 0, t + t_error, entry.box);
-  (p > q ? sides.right_box : sides.left_box) = part_of(f, t - t_error, 1, entry.box);
+  (p > q ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + t_error, entry.box);
+  (p > q ? sides.right_part.box : sides.left_part.box) = part_of(f, t - t_error, 1, entry.box);
+  sides.left = !is_empty(sides.left_part.box);
+  sides.right = !is_empty(sides.right_part.box);
   return sides;
 }
 
-/// Judges a cut on the sample.
-template <class Divide>
-void judge(CellCut& cut, std::span<const Entry* const> sample, const Divide& divide) {
+/// Judges a cut on the sample. `repeated` says how many edges of an entry will be on both sides if the entry is.
+template <class Divide, class Repeated>
+void judge(CellCut& cut, std::span<const Entry* const> sample, const Divide& divide, const Repeated& repeated) {
   std::size_t left = 0, right = 0;
+  std::uint32_t edges = 0, twice = 0;
   for (const Entry* e : sample) {
     const Sides sides = divide(*e, cut);
     left += sides.left;
     right += sides.right;
+    edges += e->last - e->first;
+    if (sides.left && sides.right) twice += repeated(*e, cut);
   }
   const std::size_t most = sample.size() * 7 / 8;
-  if (left <= most && right <= most)
-    cut.growth = static_cast<double>(left + right) / static_cast<double>(sample.size());
+  if (left <= most && right <= most) cut.growth = 1 + static_cast<double>(twice) / static_cast<double>(edges);
 }
 
 /// Entries drawn at random, the same ones each time: evenly spaced ones would follow the input's own rhythm.
@@ -133,11 +139,37 @@ class Sample {
   const Entry* sample_[sample_size];
 };
 
+template <class Repeated>
+CellCut best_axis_cut(const Sample& sample, double margin, const Repeated& repeated) {
+  CellCut best;
+  for (const CutKind kind : {CutKind::at_x, CutKind::at_y}) {
+    CellCut cut = sample.median_cut(kind);
+    cut.margin = margin;
+    judge(
+        cut, sample.span(), [](const Entry& e, const CellCut& c) { return divide_run({}, e, c); }, repeated);
+    if (cut.growth < best.growth) best = cut;
+  }
+  return best;
+}
+
 }  // namespace
 
-Sides divide_box(const Entry& entry, const CellCut& cut) {
-  return {low(entry.box, cut.kind) - cut.margin < cut.at, high(entry.box, cut.kind) + cut.margin >= cut.at, entry.box,
-          entry.box};
+Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCut& cut) {
+  Sides sides{reaches_left(low(entry.box, cut.kind), cut), reaches_right(high(entry.box, cut.kind), cut), entry, entry};
+  if (!sides.left || !sides.right || entry.last - entry.first < shortest_divided || points.empty()) return sides;
+  const auto value = [&](std::uint32_t vertex) {
+    return cut.kind == CutKind::at_x ? points[vertex].x : points[vertex].y;
+  };
+  const bool rising = value(entry.first) <= value(entry.last);
+  const auto reaches_start = [&](double v) { return rising ? reaches_left(v, cut) : reaches_right(v, cut); };
+  const auto reaches_end = [&](double v) { return rising ? reaches_right(v, cut) : reaches_left(v, cut); };
+  Entry &start = rising ? sides.left_part : sides.right_part, &end = rising ? sides.right_part : sides.left_part;
+  while (!reaches_end(value(end.first + 1))) ++end.first;
+  start.last = end.first + 1;
+  while (start.last < entry.last && reaches_start(value(start.last))) ++start.last;
+  start.box = Box::of(points[start.first], points[start.last]);
+  end.box = Box::of(points[end.first], points[end.last]);
+  return sides;
 }
 
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut) {
@@ -146,28 +178,32 @@ Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellC
   return divide_at_value(f, entry, cut);
 }
 
-CellCut best_axis_cut(std::span<const Entry> entries, double margin) {
-  const Sample sample(entries);
-  CellCut best;
-  for (const CutKind kind : {CutKind::at_x, CutKind::at_y}) {
-    CellCut cut = sample.median_cut(kind);
-    cut.margin = margin;
-    judge(cut, sample.span(), divide_box);
-    if (cut.growth < best.growth) best = cut;
-  }
-  return best;
+bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count) {
+  const Axis across = axis == Axis::x ? Axis::y : Axis::x;
+  return (high(entry.box, across) - low(entry.box, across)) * static_cast<double>(count) <=
+         high(cell, across) - low(cell, across);
 }
 
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, double margin) {
+CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin) {
+  return best_axis_cut(Sample(entries), margin, [&](const Entry& run, const CellCut&) {
+    // To look where a run is divided would cost more than it tells: within one edge.
+    return parts == RunParts::edges ? 1 : run.last - run.first;
+  });
+}
+
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, double margin) {
   const auto divide = [&](const Entry& e, const CellCut& c) { return divide_edge(points, e, c); };
   const Sample sample(entries);
-  CellCut best = best_axis_cut(entries, margin);
+  // Flat edges are copied until they cross a cell, which is soon.
+  CellCut best = best_axis_cut(sample, margin, [&](const Entry& e, const CellCut& cut) {
+    return is_flat(e, cut.kind == CutKind::at_x ? Axis::x : Axis::y, cell, entries.size()) ? 0U : 1U;
+  });
   constexpr double good = 1.15, worth_parting = 1.3, acceptable = 1.5;
   const auto try_edges = [&](bool parts_touching) {
     for (std::size_t i = 0; i < sample_size; ++i) {
       if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
       CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin, parts_touching};
-      judge(cut, sample.span(), divide);
+      judge(cut, sample.span(), divide, [](const Entry&, const CellCut&) { return 1U; });
       if (cut.growth < best.growth) best = cut;
     }
   };

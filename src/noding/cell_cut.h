@@ -14,6 +14,11 @@ namespace oblast::noding {
 /// A run, or a single edge, with the box of what of it is in the cell.
 using Entry = Run;
 
+enum class Axis : std::uint8_t { x, y };
+
+inline double low(const Box& box, Axis axis) { return axis == Axis::x ? box.x0 : box.y0; }
+inline double high(const Box& box, Axis axis) { return axis == Axis::x ? box.x1 : box.y1; }
+
 /// Where a cut runs: at a value of x or of y, or along the line of an edge.
 enum class CutKind : std::uint8_t { at_x, at_y, along_edge };
 
@@ -25,28 +30,35 @@ struct CellCut {
   /// Along an edge: others that touch it in a vertex are on one side only. So a fan can be divided, but what comes near
   /// them on the other side is missed.
   bool parts_touching = true;
-  /// Entries in both halves over entries in the cell, by a sample; infinite for a cut that does not help.
+  /// Edges in both halves over edges in the cell, by a sample; infinite for a cut that does not help.
   double growth = std::numeric_limits<double>::infinity();
 };
 
 /// What of an entry is left and right of a cut. Left is below, for at_y.
 struct Sides {
   bool left = false, right = false;
-  Box left_box, right_box;
+  Entry left_part, right_part;
   bool touches = false;  ///< an edge kept from one side although it comes within the margin of it, in a vertex
 };
 
-/// By the whole box, which goes to either side unchanged.
-Sides divide_box(const Entry& entry, const CellCut& cut);
+/// By the edges of a run, in whose direction its coordinates never turn back: each goes to the sides it reaches.
+/// Without points the whole run goes.
+Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCut& cut);
 
 /// For an entry of one edge: what lies on either side, or within the margin of it, clipped. Rounded outwards: nothing
 /// is lost.
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut);
 
-/// The better median cut of the two axes, on a random sample of whole boxes.
-CellCut best_axis_cut(std::span<const Entry> entries, double margin = 0);
+/// What of a run that is on both sides of a cut goes to a side.
+enum class RunParts : std::uint8_t { edges, whole };
+
+/// The better median cut of the two axes, on a random sample.
+CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin = 0);
 
 /// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, double margin);
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, double margin);
+
+/// An entry that, if it went through the cell along the axis, would reach about one of the `count` others in it.
+bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count);
 
 }  // namespace oblast::noding

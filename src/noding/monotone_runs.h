@@ -25,8 +25,8 @@ struct Box {
   }
 };
 
-/// Edges of a run at most: long ones have boxes that say little, short ones are many. Eight measured best.
-inline constexpr std::uint32_t longest_run = 8;
+/// Edges of a run at most: long ones have boxes that say little, short ones are many. Sixteen measured best.
+inline constexpr std::uint32_t longest_run = 16;
 
 struct Run {
   Box box;

@@ -16,23 +16,24 @@ namespace {
 constexpr std::size_t leaf_size = runs_of_one_cell;
 constexpr std::size_t clipped_leaf_size = 32;
 constexpr std::size_t batch_size = 1024;
-// Cells below this size, or with a cut better than this growth, are content with boxes.
-constexpr std::size_t bundle_size = 512;
+// Cells with a cut better than this growth are content with boxes.
 constexpr double box_growth = 1.2;
 // A cut that copies more than this is no progress: everything meets nearly everything.
 constexpr double largest_growth = 1.8;
+// Edges that cross a cell from side to side are taken out where they are at least one in so many.
+constexpr std::size_t fewest_crossers = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The part of the plane that entries are looked at in; its bounds matter until edges are clipped to it.
+/// The part of the plane that entries are looked at in, or a box around it where edges cut it off.
 struct Cell {
-  double x0 = -infinity, y0 = -infinity, x1 = infinity, y1 = infinity;
+  Box box{-infinity, -infinity, infinity, infinity};
   bool clipped = false;
 
   std::pair<Cell, Cell> halves(const CellCut& cut) const {
     Cell left = *this, right = *this;
-    if (!clipped) {
-      (cut.kind == CutKind::at_x ? left.x1 : left.y1) = cut.at;
-      (cut.kind == CutKind::at_x ? right.x0 : right.y0) = cut.at;
+    if (cut.kind != CutKind::along_edge) {
+      (cut.kind == CutKind::at_x ? left.box.x1 : left.box.y1) = cut.at;
+      (cut.kind == CutKind::at_x ? right.box.x0 : right.box.y0) = cut.at;
     }
     return {left, right};
   }
@@ -68,25 +69,33 @@ class Finder {
 
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
-  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell) {
-    if (entries.size() - begin <= (cell.clipped ? clipped_leaf_size : leaf_size)) return {};
-    CellCut cut;
+  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell, std::vector<RunPair>& batch) const {
+    const auto count = [&] { return entries.size() - begin; };
     if (!cell.clipped) {
-      cut = best_axis_cut(tail(entries, begin), nearness_.margin);
-      if (cut.growth <= box_growth || entries.size() - begin <= bundle_size || goal_ == PairGoal::boxes)
-        return cut.growth <= largest_growth ? cut : CellCut{};
+      if (count() <= leaf_size) return {};
+      const RunParts parts = goal_ == PairGoal::boxes ? RunParts::whole : RunParts::edges;
+      const CellCut cut = best_run_cut(tail(entries, begin), parts, nearness_.margin);
+      if (cut.growth <= box_growth || goal_ == PairGoal::boxes) return cut.growth <= largest_growth ? cut : CellCut{};
       clip_edges(entries, begin, cell);
     }
-    cut = best_cut(points_, tail(entries, begin), nearness_.margin);
-    return cut.growth <= largest_growth ? cut : CellCut{};
+    while (count() > clipped_leaf_size) {
+      if (match_crossers(Axis::x, entries, begin, cell, batch) || match_crossers(Axis::y, entries, begin, cell, batch))
+        continue;
+      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box, nearness_.margin);
+      return cut.growth <= largest_growth ? cut : CellCut{};
+    }
+    return {};
   }
+
+  /// Runs are divided at a cut, unless it is their boxes that count.
+  std::span<const Point> run_points() const { return goal_ == PairGoal::boxes ? std::span<const Point>() : points_; }
 
   static std::span<Entry> tail(std::vector<Entry>& entries, std::size_t begin) {
     return std::span(entries).subspan(begin);
   }
 
   /// Runs to single edges, each with the box of its part in the cell.
-  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) {
+  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
     const std::vector<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
     entries.resize(begin);
     for (const Entry& run : runs) {
@@ -96,22 +105,28 @@ class Finder {
       }
     }
     cell.clipped = true;
+    Box around{infinity, infinity, -infinity, -infinity};
+    for (const Entry& e : tail(entries, begin))
+      around = {std::min(around.x0, e.box.x0), std::min(around.y0, e.box.y0), std::max(around.x1, e.box.x1),
+                std::max(around.y1, e.box.y1)};
+    cell.box = {std::max(cell.box.x0, around.x0), std::max(cell.box.y0, around.y0), std::min(cell.box.x1, around.x1),
+                std::min(cell.box.y1, around.y1)};
   }
 
   bool clip_to(const Cell& cell, Entry& edge) const {
     const auto keep = [&](CutKind kind, double at, bool right) {
       if (at == infinity || at == -infinity) return true;
       const Sides sides = divide_edge(points_, edge, {kind, at, 0, nearness_.margin, true});
-      edge.box = right ? sides.right_box : sides.left_box;
+      edge = right ? sides.right_part : sides.left_part;
       return right ? sides.right : sides.left;
     };
     // A meeting on the upper or right side of the cell belongs to the next cell, whose lower or left side it is.
-    return keep(CutKind::at_x, cell.x0, true) && keep(CutKind::at_x, cell.x1, false) &&
-           keep(CutKind::at_y, cell.y0, true) && keep(CutKind::at_y, cell.y1, false);
+    return keep(CutKind::at_x, cell.box.x0, true) && keep(CutKind::at_x, cell.box.x1, false) &&
+           keep(CutKind::at_y, cell.box.y0, true) && keep(CutKind::at_y, cell.box.y1, false);
   }
 
   Sides divide(const Entry& entry, const CellCut& cut, const Cell& cell) const {
-    if (!cell.clipped) return divide_box(entry, cut);
+    if (!cell.clipped) return divide_run(run_points(), entry, cut);
     const Sides sides = divide_edge(points_, entry, cut);
     if (sides.touches && nearness_.unsure) nearness_.unsure(entry.first);
     return sides;
@@ -119,7 +134,12 @@ class Finder {
 
   void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
-    const CellCut cut = entries.size() <= runs_of_one_thread ? CellCut{} : choose_cut(entries, 0, cell);
+    CellCut cut;
+    if (entries.size() > runs_of_one_thread) {
+      std::vector<RunPair> batch;
+      cut = choose_cut(entries, 0, cell, batch);
+      if (!batch.empty()) visit_(batch);
+    }
     if (cut.growth == infinity) {
       split(std::move(entries), cell);
       return;
@@ -131,8 +151,8 @@ class Finder {
     right.reserve(entries.size() * 5 / 8);
     for (const Entry& e : entries) {
       const Sides sides = divide(e, cut, cell);
-      if (sides.left) left->push_back({sides.left_box, e.first, e.last, e.group});
-      if (sides.right) right.push_back({sides.right_box, e.first, e.last, e.group});
+      if (sides.left) left->push_back(sides.left_part);
+      if (sides.right) right.push_back(sides.right_part);
     }
     entries = {};
     const auto [left_cell, right_cell] = cell.halves(cut);
@@ -152,7 +172,7 @@ class Finder {
         entries.resize(task.begin);
         continue;
       }
-      const CellCut cut = choose_cut(entries, task.begin, task.cell);
+      const CellCut cut = choose_cut(entries, task.begin, task.cell, batch);
       if (cut.growth == infinity) {
         test_all(tail(entries, task.begin), batch);
         entries.resize(task.begin);
@@ -163,8 +183,8 @@ class Finder {
       for (std::size_t i = task.begin; i < entries.size(); ++i) {
         const Entry e = entries[i];
         const Sides sides = divide(e, cut, task.cell);
-        if (sides.right) right.push_back({sides.right_box, e.first, e.last, e.group});
-        if (sides.left) entries[left_end++] = {sides.left_box, e.first, e.last, e.group};
+        if (sides.right) right.push_back(sides.right_part);
+        if (sides.left) entries[left_end++] = sides.left_part;
       }
       entries.resize(left_end);
       entries.insert(entries.end(), right.begin(), right.end());
@@ -173,6 +193,47 @@ class Finder {
       stack.push_back({left_end, right_cell});
     }
     if (!batch.empty()) visit_(batch);
+  }
+
+  /// Flat edges that go through the cell along an axis meet what their values across it say: sorted by those they are
+  /// paired with whatever they reach and are out of the way, while cuts would copy them down to the smallest cells. As
+  /// in a segment tree, an edge goes through O(log n) cells when it first goes through one. False, and nothing done,
+  /// where such edges are few.
+  bool match_crossers(Axis axis, std::vector<Entry>& entries, std::size_t begin, const Cell& cell,
+                      std::vector<RunPair>& batch) const {
+    const std::span<Entry> all = tail(entries, begin);
+    const auto stays = [&](const Entry& e) {
+      return low(e.box, axis) > low(cell.box, axis) || high(e.box, axis) < high(cell.box, axis) ||
+             !is_flat(e, axis, cell.box, all.size());
+    };
+    const auto staying = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), stays));
+    if ((all.size() - staying) * fewest_crossers < all.size()) return false;
+    std::partition(all.begin(), all.end(), stays);
+    const Axis across = axis == Axis::x ? Axis::y : Axis::x;
+    const auto before = [&](const Entry& p, const Entry& q) { return low(p.box, across) < low(q.box, across); };
+    const std::span<Entry> others = all.first(staying), crossers = all.subspan(staying);
+    std::sort(others.begin(), others.end(), before);
+    std::sort(crossers.begin(), crossers.end(), before);
+    // Each with those that begin not before it, and before it ends.
+    const auto match = [&](const Entry& e, std::span<const Entry> sorted) {
+      const double reach = high(e.box, across) + nearness_.margin;
+      for (const Entry& q : sorted) {
+        if (low(q.box, across) > reach) break;
+        add(e, q, batch);
+      }
+    };
+    std::size_t next_crosser = 0, next_other = 0;
+    while (next_crosser < crossers.size()) {
+      const Entry& crosser = crossers[next_crosser];
+      if (next_other < others.size() && before(others[next_other], crosser)) {
+        match(others[next_other++], crossers.subspan(next_crosser));
+        continue;
+      }
+      match(crosser, others.subspan(next_other));
+      match(crosser, crossers.subspan(++next_crosser));
+    }
+    entries.resize(begin + staying);
+    return true;
   }
 
   /// Tests every pair of a cell by a sweep along the axis on which the boxes spread more: of each box only those that
@@ -204,14 +265,17 @@ class Finder {
       for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= reach; ++j) {
         const Entry& q = entries[j];
         if (q.box.*high < lowest || q.box.*low > highest) continue;
-        if (p.group == q.group && p.group != any_group) continue;
-        batch.push_back({p.first, p.last, q.first, q.last});
-      }
-      if (batch.size() >= batch_size) {
-        visit_(batch);
-        batch.clear();
+        add(p, q, batch);
       }
     }
+  }
+
+  void add(const Entry& p, const Entry& q, std::vector<RunPair>& batch) const {
+    if (p.group == q.group && p.group != any_group) return;
+    batch.push_back({p.first, p.last, q.first, q.last});
+    if (batch.size() < batch_size) return;
+    visit_(batch);
+    batch.clear();
   }
 
   std::span<const Point> points_;

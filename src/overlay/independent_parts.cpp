@@ -23,7 +23,7 @@ constexpr std::size_t leaf_size = 12;
 constexpr double largest_growth = 1.4;
 constexpr std::size_t work_by_strand = 64;
 
-/// The box of every strand, with the strand in `first`.
+/// The box of every strand, with the strand as its one edge.
 std::vector<Entry> boxes_of(const Strands& strands) {
   std::vector<Entry> boxes(strands.size());
   for (std::uint32_t s = 0; s < strands.size(); ++s) {
@@ -33,7 +33,7 @@ std::vector<Entry> boxes_of(const Strands& strands) {
       const Point& p = strands.points[v];
       box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
     }
-    boxes[s] = {box, s, s, noding::any_group};
+    boxes[s] = {box, s, s + 1, noding::any_group};
   }
   return boxes;
 }
@@ -73,7 +73,7 @@ DisjointSets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& ord
       leave(begin);
       continue;
     }
-    const noding::CellCut cut = noding::best_axis_cut(cell);
+    const noding::CellCut cut = noding::best_run_cut(cell, noding::RunParts::whole);
     if (cut.growth > largest_growth || work > most_work) {
       for (const Entry& e : cell) sets.unite(cell[0].first, e.first);
       leave(begin);
@@ -83,7 +83,7 @@ DisjointSets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& ord
     std::size_t left_end = begin;
     for (std::size_t i = begin; i < entries.size(); ++i) {
       const Entry e = entries[i];
-      const noding::Sides sides = noding::divide_box(e, cut);
+      const noding::Sides sides = noding::divide_run({}, e, cut);
       if (sides.right) right.push_back(e);
       if (sides.left) entries[left_end++] = e;
     }

@@ -13,7 +13,7 @@ using testing::closed;
 using testing::Path;
 using testing::strands_of;
 
-constexpr std::uint32_t longest = 8;
+constexpr std::uint32_t longest = noding::longest_run;
 
 /// A path of small steps, some of them axis-parallel.
 Path random_path(generators::Random& random, int edges) {
@@ -48,6 +48,9 @@ TEST(MonotoneRuns, coverEveryEdgeOnceAndNeverTurnBack) {
   generators::Random random(1);
   std::vector<Path> paths;
   for (int i = 0; i < 200; ++i) paths.push_back(random_path(random, 1 + random.below(40)));
+  Path straight;
+  for (int i = 0; i < 40; ++i) straight.push_back({1.0 * i, 2.0 * i});
+  paths.push_back(straight);
   const Strands strands = strands_of(paths);
   std::vector<int> covered(strands.points.size(), 0);
   std::uint32_t most = 0;

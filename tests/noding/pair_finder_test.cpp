@@ -231,7 +231,8 @@ TEST(PairFinder, findsFans) {
 }
 
 TEST(PairFinder, findsTouchesOnALattice) {
-  // Vertices on edges, collinear overlaps and copies: cuts run along edges that others only touch.
+  // Vertices on edges, collinear overlaps and copies: cuts run along edges that others only touch. Edges are clipped
+  // many times at lines through their vertices, and must not lose them.
   Random random(7);
   for (const int size : {8, 20}) {
     std::vector<Path> paths;
@@ -242,6 +243,20 @@ TEST(PairFinder, findsTouchesOnALattice) {
     }
     EXPECT_GT(expect_all_found(strands_of(paths)), 50000u);
   }
+}
+
+TEST(PairFinder, findsEdgesThatGoFromSideToSideOfTheirCells) {
+  // Nested squares and a net of axis-parallel lines, some of them a little aslant: where cells are cut, most edges go
+  // on through both halves.
+  Random random(11);
+  std::vector<Path> paths;
+  for (int i = 1; i <= 300; ++i) paths.push_back(testing::closed(testing::box(-i, -i, i, i)));
+  for (int i = -300; i <= 300; i += 3) {
+    const double slant = i % 2 ? random.in(-0.01, 0.01) : 0;
+    paths.push_back(edge({-310, i + 0.5}, {310, i + 0.5 + slant}));
+    paths.push_back(edge({1.0 * i, -310}, {i + slant, 310}));
+  }
+  EXPECT_GT(expect_all_found(strands_of(paths)), 100000u);
 }
 
 TEST(PairFinder, findsCopies) {
