@@ -5,21 +5,14 @@ namespace {
 
 constexpr Group settled_group = 1;
 
-/// The quadrant an edge points to, as bits that two edges of one run may not contradict each other in.
-struct Heading {
-  bool right = false, left = false, up = false, down = false;
+/// Where an edge points: right, left, up, down, a bit each.
+unsigned heading(const Point& p, const Point& q) {
+  return static_cast<unsigned>(q.x > p.x) | static_cast<unsigned>(q.x < p.x) << 1 |
+         static_cast<unsigned>(q.y > p.y) << 2 | static_cast<unsigned>(q.y < p.y) << 3;
+}
 
-  static Heading of(const Point& p, const Point& q) { return {q.x > p.x, q.x<p.x, q.y> p.y, q.y < p.y}; }
-  bool contradicts(const Heading& o) const {
-    return (right && o.left) || (left && o.right) || (up && o.down) || (down && o.up);
-  }
-  void join(const Heading& o) {
-    right |= o.right;
-    left |= o.left;
-    up |= o.up;
-    down |= o.down;
-  }
-};
+/// Right and left, or up and down.
+bool turns_back(unsigned headings) { return (headings & headings >> 1 & 0b0101) != 0; }
 
 }  // namespace
 
@@ -27,25 +20,25 @@ std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
   std::vector<Run> runs;
   runs.reserve(strands.points.size() / 2 + 16);
   const auto& points = strands.points;
-  const auto group_of = [&](std::size_t strand, std::uint32_t edge) {
-    if (grouping == Grouping::none) return any_group;
-    if (grouping == Grouping::by_strand)
-      return strands.simplicity[strand] == Simplicity::known ? strands.group[strand] : any_group;
-    return (strands.flags[edge] & moved_flag) ? any_group : settled_group;
+  const auto group_of = [&](std::size_t strand) {
+    const bool grouped = grouping == Grouping::by_strand && strands.simplicity[strand] == Simplicity::known;
+    return grouped ? strands.group[strand] : any_group;
   };
+  const auto piece_moved = [&](std::uint32_t edge) { return (strands.flags[edge] & moved_flag) != 0; };
   for (std::size_t s = 0; s < strands.size(); ++s) {
     const std::uint32_t last_vertex = strands.ends[s] - 1;
+    const Group group = group_of(s);
     for (std::uint32_t first = strands.begin(s); first < last_vertex;) {
-      const Group group = group_of(s, first);
-      Heading heading = Heading::of(points[first], points[first + 1]);
+      const std::uint32_t longest = std::min(first + longest_run, last_vertex);
+      const bool by_moved = grouping == Grouping::by_moved, moved = by_moved && piece_moved(first);
+      unsigned headings = heading(points[first], points[first + 1]);
       std::uint32_t last = first + 1;
-      while (last < last_vertex && last - first < longest_run) {
-        const Heading next = Heading::of(points[last], points[last + 1]);
-        if (heading.contradicts(next) || group_of(s, last) != group) break;
-        heading.join(next);
-        ++last;
+      for (; last < longest; ++last) {
+        headings |= heading(points[last], points[last + 1]);
+        if (turns_back(headings) || (by_moved && piece_moved(last) != moved)) break;
       }
-      runs.push_back({Box::of(points[first], points[last]), first, last, group});
+      const Group of_run = by_moved ? (moved ? any_group : settled_group) : group;
+      runs.push_back({Box::of(points[first], points[last]), first, last, of_run});
       first = last;
     }
   }

@@ -3,116 +3,92 @@
 //      descriptor changes the winding numbers by its change, so one sector gives all (the paper's
 //      marking sectors).
 //   2. A chain carries its label to its other end (rule 2.1). So everything connected is labelled
-//      relative to one sector.
+//      relative to one sector (relative_labels.h).
 //   3. Each component, and each contour that meets nothing, needs one point-in-region query: which
 //      chain lies directly below its smallest vertex. That chain's component has a smaller smallest
-//      vertex, so in the order of smallest vertices it is settled already.
+//      vertex, so in the order of smallest vertices it is settled already. A component whose smallest vertex is in the
+//      box of no other has nothing around it and asks nothing; one whose box holds no such vertex is around nothing and
+//      does not matter to those who ask, since a line that passes it leaves it as it came.
 #include "engines/leonov_nikitin/label.h"
 
 #include <algorithm>
 #include <numeric>
 
+#include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
+#include "overlay/enclosing_boxes.h"
 #include "overlay/locate_below.h"
 
 namespace oblast::leonov_nikitin {
 namespace {
 
-/// What is connected. Its labels are relative to the sector before the first descriptor of its first node.
+using noding::Box;
+
+/// What is connected. Its labels are relative to one of its sectors.
 struct Component {
-  std::uint32_t chain;   ///< a chain that its smallest vertex is on
-  std::uint32_t vertex;  ///< that vertex
-  Winding outside;       ///< winding numbers of the sector outside it
+  std::uint32_t chain = none;   ///< a chain that its smallest vertex is on
+  std::uint32_t vertex = none;  ///< that vertex
+  Winding outside = {};         ///< winding numbers of the sector outside it
 };
+
+/// The box of a chain and the smallest of its vertices.
+struct Extent {
+  Box box;
+  std::uint32_t smallest;
+};
+
+Extent extent_of(const std::vector<Point>& points, const Chain& chain) {
+  Extent e{Box::of(points[chain.first], points[chain.first]), chain.first};
+  for (std::uint32_t v = chain.first + 1; v <= chain.last; ++v) {
+    const Point& p = points[v];
+    e.box = {std::min(e.box.x0, p.x), std::min(e.box.y0, p.y), std::max(e.box.x1, p.x), std::max(e.box.y1, p.y)};
+    if (lexicographically_less(p, points[e.smallest])) e.smallest = v;
+  }
+  return e;
+}
+
+Box join(const Box& p, const Box& q) {
+  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
+}
 
 class Labelling {
  public:
-  explicit Labelling(const ChainGraph& graph) : graph_(graph) {
-    resize_in_large_pages(right_, graph.chains.size());
-    resize_in_large_pages(component_of_, graph.chains.size(), none);
-    resize_in_large_pages(component_of_node_, graph.node_count(), none);
-  }
+  explicit Labelling(const ChainGraph& graph) : graph_(graph) {}
 
   std::vector<Winding> run() {
-    label_chains();
-    find_smallest_vertices();
+    RelativeLabels labels = label_relatively(graph_);
+    right_ = std::move(labels.right);
+    find_components(labels);
     settle_components();
     return std::move(right_);
   }
 
  private:
-  /// Steps 1 and 2.
-  void label_chains() {
-    std::uint32_t component = 0;
-    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-      if (component_of_node_[node] != none || graph_.list(node).empty()) continue;
-      component_of_node_[node] = component;
-      label_around(node, graph_.list(node)[0], {}, component);
-      // First in, first out: what is at hand soon is known long enough before to be fetched.
-      for (std::size_t i = 0; i < pending_.size(); ++i) {
-        fetch_ahead(i);
-        const Descriptor known = pending_[i];
-        const Winding right = right_[chain_of(known)];
-        label_around(graph_.start_node(known), known,
-                     is_backward(known) ? right + graph_.change(opposite(known)) : right, component);
-      }
-      pending_.clear();
-      ++component;
-    }
-    components_.resize(component, {none, none, {}});
-  }
-
-  void fetch_ahead(std::size_t i) const {
-    constexpr std::size_t chain_ahead = 12, node_ahead = 8, list_ahead = 4;
-    if (i + chain_ahead < pending_.size()) __builtin_prefetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
-    if (i + node_ahead < pending_.size())
-      __builtin_prefetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
-    if (i + list_ahead < pending_.size())
-      __builtin_prefetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
-  }
-
-  /// Step 1: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Step 2:
-  /// on to nodes not seen yet.
-  void label_around(std::uint32_t node, Descriptor known, Winding sector, std::uint32_t component) {
-    const auto list = graph_.list(node);
-    const auto at = static_cast<std::size_t>(std::find(list.begin(), list.end(), known) - list.begin());
-    for (std::size_t i = at; i < at + list.size(); ++i) {
-      const Descriptor d = list[i < list.size() ? i : i - list.size()];
-      const Chain& chain = graph_.chains[chain_of(d)];
-      const Winding left = is_backward(d) ? sector - chain.change : sector + chain.change;
-      right_[chain_of(d)] = is_backward(d) ? left : sector;
-      sector = left;
-      const std::uint32_t other = is_backward(d) ? chain.from : chain.to;
-      if (component_of_node_[other] != none) continue;
-      component_of_node_[other] = component;
-      pending_.push_back(opposite(d));
-    }
-  }
-
-  /// Of each component, and of each contour that meets nothing, which is one by itself: among the nodes and among the
-  /// vertices between them.
-  void find_smallest_vertices() {
-    const auto note = [&](std::uint32_t component, std::uint32_t chain, std::uint32_t vertex) {
-      Component& found = components_[component];
-      if (found.vertex == none || lexicographically_less(graph_.point(vertex), graph_.point(found.vertex)))
-        found = {chain, vertex, {}};
-    };
-    for (std::uint32_t node = 0; node < graph_.node_count(); ++node) {
-      if (component_of_node_[node] == none) continue;
-      const Descriptor first = graph_.list(node)[0];
-      note(component_of_node_[node], chain_of(first), graph_.start_vertex(first));
-    }
+  /// Of each component, and of each contour that meets nothing, which is one by itself.
+  void find_components(const RelativeLabels& labels) {
+    components_.resize(labels.component_count);
+    boxes_.resize(labels.component_count);
     const auto chain_count = static_cast<std::uint32_t>(graph_.chains.size());
+    resize_in_large_pages(component_of_, chain_count, none);
     live_.reserve(chain_count);
     for (std::uint32_t c = 0; c < chain_count; ++c) {
       if (!graph_.is_live(c)) continue;
       live_.push_back(c);
       const Chain& chain = graph_.chains[c];
-      component_of_[c] =
-          chain.is_loop() ? static_cast<std::uint32_t>(components_.size()) : component_of_node_[chain.from];
-      if (chain.is_loop()) components_.push_back({c, chain.first, {}});
-      for (std::uint32_t v = chain.first + 1; v < chain.last; ++v) note(component_of_[c], c, v);
+      const Extent extent = extent_of(graph_.strands.points, chain);
+      if (chain.is_loop()) {
+        component_of_[c] = static_cast<std::uint32_t>(components_.size());
+        components_.push_back({c, extent.smallest});
+        boxes_.push_back(extent.box);
+        continue;
+      }
+      const std::uint32_t i = component_of_[c] = labels.component[chain.from];
+      Component& component = components_[i];
+      boxes_[i] = component.chain == none ? extent.box : join(boxes_[i], extent.box);
+      if (component.chain == none ||
+          lexicographically_less(graph_.point(extent.smallest), graph_.point(component.vertex)))
+        component = {c, extent.smallest};
     }
   }
 
@@ -129,7 +105,7 @@ class Labelling {
       return {p, graph_.point(graph_.next_vertex(list.front()))};
     }
     const Point& before = graph_.point(v == chain.first ? chain.last - 1 : v - 1);
-    const Point& after = graph_.point(v + 1);
+    const Point& after = graph_.point(v + 1 > chain.last ? chain.first + 1 : v + 1);
     // A left turn at the smallest vertex has the outside on its right, and its second edge is the lower.
     const bool left_turn = exact::orientation(before, p, after) > 0;
     component.outside = left_turn ? right : right + chain.change;
@@ -143,25 +119,38 @@ class Labelling {
 
   /// Step 3.
   void settle_components() {
-    std::vector<BelowQuery> queries;
-    queries.reserve(components_.size());
-    for (Component& c : components_) queries.push_back(look_outside(c));
-    // Below the smallest vertex of all there is nothing.
-    const std::vector<Below> below = queries.size() == 1 ? std::vector<Below>(1) : locate_below(graph_, live_, queries);
+    const auto count = static_cast<std::uint32_t>(components_.size());
+    std::vector<BelowQuery> outside;
+    std::vector<Point> smallest;
+    outside.reserve(count);
+    smallest.reserve(count);
+    for (Component& c : components_) {
+      outside.push_back(look_outside(c));
+      smallest.push_back(outside.back().p);
+    }
+    const Enclosure enclosure = find_enclosing(boxes_, smallest);
 
-    std::vector<std::uint32_t> order(components_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(queries[i].p, queries[j].p); });
-    std::vector<Winding> base(components_.size());
-    for (const std::uint32_t i : order) {
-      const Below& b = below[i];
-      Winding outside;
-      if (b.chain != none) {
-        outside = right_[b.chain] + base[component_of_[b.chain]];
-        if (b.rightward) outside = outside + graph_.chains[b.chain].change;
-      }
-      base[i] = outside - components_[i].outside;
+    std::vector<std::uint32_t> asking;
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (enclosure.enclosed[i]) asking.push_back(i);
+    std::sort(asking.begin(), asking.end(),
+              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(smallest[i], smallest[j]); });
+    std::vector<BelowQuery> queries;
+    queries.reserve(asking.size());
+    for (const std::uint32_t i : asking) queries.push_back(outside[i]);
+    std::vector<std::uint32_t> chains;
+    if (!asking.empty())
+      std::copy_if(live_.begin(), live_.end(), std::back_inserter(chains),
+                   [&](std::uint32_t c) { return enclosure.encloses[component_of_[c]] != 0; });
+    const std::vector<Below> below = locate_below(graph_, chains, queries);
+
+    std::vector<Winding> base(count);
+    for (std::uint32_t i = 0; i < count; ++i) base[i] = -components_[i].outside;
+    for (std::size_t k = 0; k < asking.size(); ++k) {
+      const Below& b = below[k];
+      if (b.chain == none) continue;
+      const Winding around = right_[b.chain] + base[component_of_[b.chain]];
+      base[asking[k]] = base[asking[k]] + (b.rightward ? around + graph_.chains[b.chain].change : around);
     }
     for (const std::uint32_t c : live_) right_[c] = right_[c] + base[component_of_[c]];
   }
@@ -169,10 +158,9 @@ class Labelling {
   const ChainGraph& graph_;
   std::vector<Winding> right_;
   std::vector<std::uint32_t> component_of_;  ///< by chain
-  std::vector<std::uint32_t> component_of_node_;
   std::vector<Component> components_;
+  std::vector<Box> boxes_;  ///< by component
   std::vector<std::uint32_t> live_;
-  std::vector<Descriptor> pending_;
 };
 
 }  // namespace

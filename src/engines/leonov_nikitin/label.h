@@ -4,7 +4,8 @@
 // The paper's steps and terms, and where they are:
 //   2.1  intersection vertices               noding/node.h: edges are cut where they meet
 //        descriptors, connectivity list L(x)  overlay/chain_graph.h, sorted by angle (exactly: overlay/angular_order.h)
-//   2.2  labels of edges and contours        label.cpp: the copying rule 2.1, the marking sectors of rule 2.2
+//   2.2  labels of edges and contours        relative_labels.h: the copying rule 2.1, the marking sectors of rule 2.2;
+//                                            label.cpp: contours that meet nothing
 //   2.3  Tables 2 and 3                      tables.h; applied by overlay/select.h
 //        Collect and Jump                    overlay/link.cpp
 //   2.4  polygons from contours              overlay/nesting.h

@@ -1,0 +1,195 @@
+#include "engines/leonov_nikitin/relative_labels.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "memory/large_pages.h"
+#include "parallel/for_ranges.h"
+
+namespace oblast::leonov_nikitin {
+namespace {
+
+/// Nodes of a range: what is carried around in one stays in the second-level cache.
+constexpr std::uint32_t range_size = 8192;
+
+/// A chain that ends in one range and begins in another: its right side as the piece at its end has it.
+struct Border {
+  std::uint32_t chain;
+  std::uint32_t piece;  ///< of the node where it ends
+  Winding right;
+};
+
+/// Carries labels through the nodes of one range.
+class RangeLabelling {
+ public:
+  RangeLabelling(const ChainGraph& graph, std::uint32_t begin, std::uint32_t end, RelativeLabels& labels)
+      : graph_(graph), begin_(begin), end_(end), labels_(labels) {}
+
+  void run() {
+    for (std::uint32_t node = begin_; node < end_; ++node) {
+      if (labels_.component[node] != none || graph_.list(node).empty()) continue;
+      labels_.component[node] = pieces;
+      label_around(node, graph_.list(node)[0], {});
+      // First in, first out: what is at hand soon is known long enough before to be fetched.
+      for (std::size_t i = 0; i < pending_.size(); ++i) {
+        fetch_ahead(i);
+        const Descriptor known = pending_[i];
+        const Winding right = labels_.right[chain_of(known)];
+        label_around(graph_.start_node(known), known,
+                     is_backward(known) ? right + graph_.change(opposite(known)) : right);
+      }
+      pending_.clear();
+      ++pieces;
+    }
+  }
+
+  std::uint32_t pieces = 0;
+  std::vector<Border> borders;  ///< with pieces counted from this range's first
+
+ private:
+  bool is_here(std::uint32_t node) const { return begin_ <= node && node < end_; }
+
+  void fetch_ahead(std::size_t i) const {
+    constexpr std::size_t chain_ahead = 12, node_ahead = 8, list_ahead = 4;
+    if (i + chain_ahead < pending_.size()) __builtin_prefetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
+    if (i + node_ahead < pending_.size())
+      __builtin_prefetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
+    if (i + list_ahead < pending_.size())
+      __builtin_prefetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
+  }
+
+  /// Rule 2.2: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Rule
+  /// 2.1: on to nodes not seen yet. A chain's label is written where it begins.
+  void label_around(std::uint32_t node, Descriptor known, Winding sector) {
+    const auto list = graph_.list(node);
+    const auto at = static_cast<std::size_t>(std::find(list.begin(), list.end(), known) - list.begin());
+    for (std::size_t i = at; i < at + list.size(); ++i) {
+      const Descriptor d = list[i < list.size() ? i : i - list.size()];
+      const Chain& chain = graph_.chains[chain_of(d)];
+      const Winding left = is_backward(d) ? sector - chain.change : sector + chain.change;
+      const Winding right = is_backward(d) ? left : sector;
+      const std::uint32_t other = is_backward(d) ? chain.from : chain.to;
+      sector = left;
+      if (!is_backward(d) || is_here(other))
+        labels_.right[chain_of(d)] = right;
+      else
+        borders.push_back({chain_of(d), labels_.component[node], right});
+      if (!is_here(other) || labels_.component[other] != none) continue;
+      labels_.component[other] = labels_.component[node];
+      pending_.push_back(opposite(d));
+    }
+  }
+
+  const ChainGraph& graph_;
+  std::uint32_t begin_, end_;
+  RelativeLabels& labels_;
+  std::vector<Descriptor> pending_;
+};
+
+/// Disjoint sets of pieces that know what is to be added to the labels of a piece for those of its root.
+class PieceSets {
+ public:
+  explicit PieceSets(std::uint32_t size) : parent_(size), offset_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  std::pair<std::uint32_t, Winding> find(std::uint32_t piece) {
+    Winding offset;
+    while (parent_[piece] != piece) {
+      const std::uint32_t parent = parent_[piece];
+      if (parent_[parent] != parent) {
+        offset_[piece] = offset_[piece] + offset_[parent];
+        parent_[piece] = parent_[parent];
+      }
+      offset = offset + offset_[piece];
+      piece = parent_[piece];
+    }
+    return {piece, offset};
+  }
+
+  /// Labels of q plus `difference` are labels of p.
+  void unite(std::uint32_t p, std::uint32_t q, Winding difference) {
+    const auto [p_root, p_offset] = find(p);
+    const auto [q_root, q_offset] = find(q);
+    const Winding between = p_offset + difference - q_offset;
+    if (p_root < q_root) {
+      parent_[q_root] = p_root;
+      offset_[q_root] = between;
+    } else if (q_root < p_root) {
+      parent_[p_root] = q_root;
+      offset_[p_root] = -between;
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<Winding> offset_;
+};
+
+/// Makes components of pieces. `first_piece`: by range.
+void join_pieces(const ChainGraph& graph, const std::vector<std::vector<Border>>& borders,
+                 const std::vector<std::uint32_t>& first_piece, std::uint32_t piece_count, RelativeLabels& labels) {
+  const auto piece_of = [&](std::uint32_t node) { return labels.component[node] + first_piece[node / range_size]; };
+  PieceSets sets(piece_count);
+  for (std::size_t range = 0; range < borders.size(); ++range)
+    for (const Border& b : borders[range])
+      sets.unite(piece_of(graph.chains[b.chain].from), b.piece + first_piece[range], labels.right[b.chain] - b.right);
+
+  struct Place {
+    std::uint32_t component;
+    Winding offset;
+  };
+  std::vector<Place> places(piece_count);
+  for (std::uint32_t piece = 0; piece < piece_count; ++piece) {
+    const auto [root, offset] = sets.find(piece);
+    // The root is the smallest of its set, so it has its place before the others.
+    places[piece] = {root == piece ? labels.component_count++ : places[root].component, offset};
+  }
+  constexpr std::size_t grain = 1 << 16;
+  for_ranges(graph.chains.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      const Chain& chain = graph.chains[c];
+      if (chain.is_loop() || labels.component[chain.from] == none) continue;
+      labels.right[c] = labels.right[c] + places[piece_of(chain.from)].offset;
+    }
+  });
+  for_ranges(graph.node_count(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node)
+      if (labels.component[node] != none)
+        labels.component[node] = places[piece_of(static_cast<std::uint32_t>(node))].component;
+  });
+}
+
+}  // namespace
+
+RelativeLabels label_relatively(const ChainGraph& graph) {
+  RelativeLabels labels;
+  resize_in_large_pages(labels.right, graph.chains.size());
+  resize_in_large_pages(labels.component, graph.node_count(), none);
+  const auto node_count = static_cast<std::uint32_t>(graph.node_count());
+  if (node_count <= range_size) {
+    RangeLabelling all(graph, 0, node_count, labels);
+    all.run();
+    labels.component_count = all.pieces;
+    return labels;
+  }
+  const std::uint32_t ranges = (node_count + range_size - 1) / range_size;
+  std::vector<std::vector<Border>> borders(ranges);
+  std::vector<std::uint32_t> pieces(ranges), first_piece(ranges);
+  for_ranges(ranges, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const std::uint32_t first = static_cast<std::uint32_t>(r) * range_size;
+      RangeLabelling range(graph, first, std::min(first + range_size, node_count), labels);
+      range.run();
+      pieces[r] = range.pieces;
+      borders[r] = std::move(range.borders);
+    }
+  });
+  std::exclusive_scan(pieces.begin(), pieces.end(), first_piece.begin(), 0U);
+  join_pieces(graph, borders, first_piece, first_piece.back() + pieces.back(), labels);
+  return labels;
+}
+
+}  // namespace oblast::leonov_nikitin

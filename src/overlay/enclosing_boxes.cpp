@@ -1,0 +1,85 @@
+#include "overlay/enclosing_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace oblast {
+namespace {
+
+using noding::Box;
+
+/// More looks than this by box are no gain.
+constexpr std::size_t looks_by_box = 16;
+
+/// A grid of about one cell a point, and the points by cell.
+class PointGrid {
+ public:
+  PointGrid(const Box& around, std::span<const Point> points)
+      : around_(around), side_(static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(points.size()))))) {
+    ends_.assign(std::size_t{side_} * side_, 0);
+    for (const Point& p : points) ++ends_[cell(column(p.x), row(p.y))];
+    std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), 0U);
+    // ends_[c] moves from the beginning of the cell to its end as the cell fills.
+    points_.resize(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) points_[ends_[cell(column(points[i].x), row(points[i].y))]++] = i;
+  }
+
+  // Both are monotone, so the point of a box is in one of the cells between those of its corners.
+  std::uint32_t column(double x) const { return place(x, around_.x0, around_.x1); }
+  std::uint32_t row(double y) const { return place(y, around_.y0, around_.y1); }
+
+  /// Of the cells of a row from one column to another, which lie side by side.
+  std::span<const std::uint32_t> points(std::uint32_t row, std::uint32_t first_column,
+                                        std::uint32_t last_column) const {
+    const std::uint32_t first = cell(first_column, row);
+    const std::uint32_t begin = first == 0 ? 0 : ends_[first - 1];
+    return std::span(points_).subspan(begin, ends_[cell(last_column, row)] - begin);
+  }
+
+ private:
+  std::uint32_t place(double value, double low, double high) const {
+    if (high <= low) return 0;
+    return std::min(static_cast<std::uint32_t>((value - low) / (high - low) * side_), side_ - 1);
+  }
+  std::uint32_t cell(std::uint32_t column, std::uint32_t row) const { return row * side_ + column; }
+
+  Box around_;
+  std::uint32_t side_;
+  std::vector<std::uint32_t> ends_;    ///< by cell
+  std::vector<std::uint32_t> points_;  ///< by cell: their indices
+};
+
+bool holds(const Box& box, const Point& p) { return box.x0 <= p.x && p.x <= box.x1 && box.y0 <= p.y && p.y <= box.y1; }
+
+}  // namespace
+
+Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points) {
+  const std::size_t count = boxes.size();
+  const Enclosure unknown{std::vector<std::uint8_t>(count, 1), std::vector<std::uint8_t>(count, 1)};
+  Enclosure found{std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
+  if (count < 2) return found;
+  Box around = boxes[0];
+  for (const Box& b : boxes)
+    around = {std::min(around.x0, b.x0), std::min(around.y0, b.y0), std::max(around.x1, b.x1),
+              std::max(around.y1, b.y1)};
+  const PointGrid grid(around, points);
+  std::size_t looks = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Box& box = boxes[i];
+    const std::uint32_t first_column = grid.column(box.x0), last_column = grid.column(box.x1);
+    for (std::uint32_t row = grid.row(box.y0); row <= grid.row(box.y1); ++row) {
+      const auto near = grid.points(row, first_column, last_column);
+      looks += 1 + near.size();
+      if (looks > looks_by_box * count) return unknown;
+      for (const std::uint32_t j : near) {
+        if (j == i || !holds(box, points[j])) continue;
+        found.encloses[i] = 1;
+        found.enclosed[j] = 1;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace oblast
