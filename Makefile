@@ -33,11 +33,13 @@ format:  ## rewrite the formatting of every C++ file
 lint: build  ## formatting and clang-tidy, as CI checks them
 	@tools/lint
 
-bench:  ## every workload and every peer; SCALE=full for the large sizes
+bench:  ## every workload and every peer, the stages, files to file; SCALE=full for the large sizes
 	@tools/install --bench
 	@bench/peers/install
 	@cmake --preset bench && cmake --build --preset bench
 	@bench/run --scale $(or $(SCALE),small)
+	@build/bench/bench/oblast_stages --benchmark_out=build/bench/report/stages.json
+	@bench/end_to_end --scale $(or $(SCALE),small)
 
 fuzz:  ## the fuzzers, SECONDS_EACH seconds each (60)
 	@tools/install --fuzz

@@ -1,9 +1,21 @@
-"""What a table of times must say about the machine."""
+"""What a table of times must say about the machine, and the Python that bench/peers/install set up."""
 
 import os
 import platform
 import re
 import subprocess
+import sys
+from pathlib import Path
+
+from suite import INSTALLED
+
+
+def in_environment():
+    """Goes on in the environment of bench/peers/install, which has matplotlib and geopandas, where there is one."""
+    environment = INSTALLED / "venv"
+    python = environment / "bin" / "python"
+    if python.exists() and Path(sys.prefix).resolve() != environment.resolve():
+        os.execv(python, [str(python), *sys.argv])
 
 
 def describe():

@@ -1,5 +1,6 @@
 """What bench/run measures: workloads and their sizes at each scale, and the peers' command lines."""
 
+import subprocess
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -37,6 +38,20 @@ def layers(shared, name, a, b, operations):
     return Workload(name, arguments, list(operations))
 
 
+def fires_folder(scale):
+    return BUILD / f"fires-{scale}"
+
+
+def fires(scale):
+    """The folder of `oblast generate fires`, a month of them or all; made when it is not there yet."""
+    folder = fires_folder(scale)
+    if not folder.exists():
+        program = BUILD / "apps" / "oblast" / "oblast"
+        month = [] if scale == "full" else ["--month", "april"]
+        subprocess.run([program, "generate", "fires", *month, "-o", folder], check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
 def suite(scale, shared):
     """The workloads at a scale, `small` (minutes) or `full`."""
     full = scale == "full"
@@ -50,6 +65,7 @@ def suite(scale, shared):
     result += generated("nested", pick([300], [1000]))
     result += generated("crossing", pick([500], [500, 2000]))
     result += generated("spiral_pair", pick([20_000], [500_000]))
+    result += generated("coverage", pick([60], [300]))
     result += generated("pairs", pick([100_000], [1_000_000]), pairs=True)
     # one operand convex: the fast paths
     for kind in ("small_window", "large_window", "octagon"):
@@ -64,8 +80,7 @@ def suite(scale, shared):
     result += generated("corrosion", pick([50], [400]))
     result += generated("concentric", pick([50], [300]))
 
-    fires = BUILD / f"fires-{scale}"
-    result.append(Workload("fires", ["layer", "--a", str(fires), "--overlapping-a"]))
+    result.append(Workload("fires", ["layer", "--a", str(fires_folder(scale)), "--overlapping-a"]))
 
     stems = ["france-communes-normandie", "france-departements", "germany-counties-medium"]
     if full:

@@ -3,6 +3,15 @@
 
 namespace oblast::bench {
 
+const NamedWorkload* find_workload(std::string_view name) {
+  for (const auto list : {general_workloads(), window_workloads(), ioverlay_workloads()}) {
+    for (const NamedWorkload& workload : list) {
+      if (name == workload.name) return &workload;
+    }
+  }
+  return nullptr;
+}
+
 void add_hole(RegionSet& regions, std::span<const Point> contour) {
   regions.points.insert(regions.points.end(), contour.begin(), contour.end());
   regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));

@@ -114,6 +114,60 @@ Workload pairs(std::uint32_t n, std::uint64_t seed) {
   return workload;
 }
 
+// The border from one corner of a cell to another, without the second: it sways sideways, less near its ends, so that
+// the borders that meet at a corner cross nowhere else.
+std::vector<Point> border(Point from, Point to, std::mt19937_64& random) {
+  constexpr std::uint32_t steps = 16;
+  std::vector<Point> points = {from};
+  for (std::uint32_t i = 1; i < steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const double sway = 0.1 * std::sin(std::numbers::pi * t) * (uniform(random) - 0.5);
+    const Point along = {to.x - from.x, to.y - from.y};
+    points.push_back({from.x + t * along.x - sway * along.y, from.y + t * along.y + sway * along.x});
+  }
+  return points;
+}
+
+// n x n cells that share their borders vertex by vertex. Every second cell has a hole, and every second hole is
+// filled by an enclave.
+Workload coverage(std::uint32_t n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const std::size_t side = n + 1;
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i < side * side; ++i) {
+    const auto column = static_cast<double>(i % side), row = static_cast<double>(i / side);
+    corners.push_back({column + 0.1 * uniform(random), row + 0.1 * uniform(random)});
+  }
+  std::vector<std::vector<Point>> rightward(side * side), upward(side * side);  // by the corner they begin at
+  for (std::size_t i = 0; i < side * side; ++i) {
+    if (i % side < n) rightward[i] = border(corners[i], corners[i + 1], random);
+    if (i / side < n) upward[i] = border(corners[i], corners[i + side], random);
+  }
+  RegionSet cells;
+  for (std::uint32_t cell = 0; cell < n * n; ++cell) {
+    const std::size_t low = cell / n * side + cell % n;
+    std::vector<Point> contour = rightward[low];
+    contour.insert(contour.end(), upward[low + 1].begin(), upward[low + 1].end());
+    contour.push_back(corners[low + side + 1]);
+    contour.insert(contour.end(), rightward[low + side].rbegin(), rightward[low + side].rend());
+    contour.insert(contour.end(), upward[low].rbegin(), upward[low].rend() - 1);
+    add_polygon(cells, contour);
+    if (cell % 2 != 0) continue;
+    std::vector<Point> hole;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      const double angle = two_pi * i / 12;
+      const double radius = 0.2 + 0.1 * uniform(random);
+      hole.push_back(
+          {corners[low].x + 0.5 + radius * std::cos(angle), corners[low].y + 0.5 + radius * std::sin(angle)});
+    }
+    add_hole(cells, hole);
+    if (cell % 4 == 0) add_polygon(cells, hole);
+  }
+  Workload workload = single(Operation::unite, std::move(cells), {}, OperandKind::overlapping);
+  workload.coverage = true;
+  return workload;
+}
+
 constexpr NamedWorkload workloads[] = {
     {"stars", "vertices of each of the two polygons", stars},
     {"slabs", "bars in each of the two directions", slabs},
@@ -121,6 +175,7 @@ constexpr NamedWorkload workloads[] = {
     {"crossing", "vertices of each random self-crossing polygon", crossing},
     {"spiral_pair", "vertices of each spiral", spiral_pair},
     {"pairs", "pairs of small polygons", pairs},
+    {"coverage", "cells along each side of a coverage, some with holes and enclaves; dissolved", coverage},
 };
 
 }  // namespace

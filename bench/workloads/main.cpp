@@ -13,15 +13,6 @@
 namespace oblast::bench {
 namespace {
 
-const NamedWorkload* find(const std::string& name) {
-  for (const auto list : {general_workloads(), window_workloads(), ioverlay_workloads()}) {
-    for (const NamedWorkload& workload : list) {
-      if (name == workload.name) return &workload;
-    }
-  }
-  return nullptr;
-}
-
 void list() {
   for (const auto list : {general_workloads(), window_workloads(), ioverlay_workloads()}) {
     for (const NamedWorkload& workload : list) fmt::print("{:16}SIZE: {}\n", workload.name, workload.size);
@@ -85,7 +76,7 @@ int run(int argc, char** argv) {
     write_workload(arguments.output, from_files(arguments));
     return 0;
   }
-  const NamedWorkload* workload = find(arguments.name);
+  const NamedWorkload* workload = find_workload(arguments.name);
   if (workload == nullptr) {
     fmt::print(stderr, "no workload '{}'; oblast_workload list names them\n", arguments.name);
     return 2;

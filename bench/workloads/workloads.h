@@ -6,6 +6,7 @@
 #include <random>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "workloads/workload_file.h"
@@ -22,6 +23,8 @@ struct NamedWorkload {
 std::span<const NamedWorkload> general_workloads();   // general.cpp
 std::span<const NamedWorkload> window_workloads();    // windows.cpp
 std::span<const NamedWorkload> ioverlay_workloads();  // ioverlay_tests.cpp
+/// The one of that name; null where there is none.
+const NamedWorkload* find_workload(std::string_view name);
 
 /// A uniform number in [0, 1), the same on every machine (std::uniform_real_distribution is not).
 inline double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }

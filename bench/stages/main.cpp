@@ -1,0 +1,142 @@
+// oblast_stages: in-process benchmarks of the pipeline (Google Benchmark).
+//
+//   stage/NAME/INPUT            one stage of the pipeline, as Options::statistics tells its time; one thread
+//   whole/INPUT/threads:T       the whole call as a user makes it
+//   growth/KIND/EDGES           the same from 10^4 to 10^6 edges; one thread
+//
+//   oblast_stages [--benchmark_filter=REGEX ...] [WORKLOAD_FILE...]      files (oblast_workload) are inputs as well
+//
+// An input of many pairs is one call after another. Items per second are edges of the input. The column of processor
+// time is that of the whole call, beside a stage too.
+#include <benchmark/benchmark.h>
+#include <oblast/oblast.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "workloads/workloads.h"
+
+namespace oblast::bench {
+namespace {
+
+/// Its name, and a workload made when it is first needed: a filtered run makes those it measures only.
+struct Input {
+  std::string name;
+  std::function<Workload()> make;
+  std::shared_ptr<Workload> made = std::make_shared<Workload>();
+
+  const Workload& workload() const {
+    if (made->pairs() == 0) *made = make();
+    return *made;
+  }
+};
+
+std::int64_t edges(const Workload& workload) {
+  return static_cast<std::int64_t>(workload.a.arrays.points.size() + workload.b.arrays.points.size());
+}
+
+/// Every pair of the workload; with statistics the pipeline's, added up by stage.
+void call(const Workload& workload, int threads, double* seconds_by_stage) {
+  Statistics statistics;
+  Options options;
+  options.fill_a.kind = options.fill_b.kind = workload.fill;
+  options.threads = threads;
+  if (seconds_by_stage) options.statistics = &statistics;
+  const bool unary = workload.b.arrays.points.empty();
+  for (std::size_t i = 0; i < workload.pairs(); ++i) {
+    const RegionView a = workload.a.pair(i);
+    benchmark::DoNotOptimize(unary ? unite(a, options) : overlay(a, workload.b.pair(i), workload.operation, options));
+    if (!seconds_by_stage) continue;
+    for (int stage = 0; stage < stage_count; ++stage) seconds_by_stage[stage] += statistics.seconds[stage];
+  }
+}
+
+void measure_stage(benchmark::State& state, const Input& input, Stage stage) {
+  const Workload& workload = input.workload();
+  for ([[maybe_unused]] auto run : state) {
+    double seconds[stage_count] = {};
+    call(workload, 1, seconds);
+    state.SetIterationTime(seconds[static_cast<int>(stage)]);
+  }
+  state.SetItemsProcessed(state.iterations() * edges(workload));
+}
+
+void measure_whole(benchmark::State& state, const Input& input, int threads) {
+  const Workload& workload = input.workload();
+  for ([[maybe_unused]] auto run : state) call(workload, threads, nullptr);
+  state.SetItemsProcessed(state.iterations() * edges(workload));
+  state.SetComplexityN(edges(workload));
+}
+
+void register_input(const Input& input, std::initializer_list<int> thread_counts) {
+  constexpr const char* stage_names[stage_count] = {"collect", "node", "label", "select", "link", "assemble"};
+  for (int i = 0; i < stage_count; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    // Each iteration is a whole call, whose other stages do not count: their number is fixed, or a short stage
+    // would be repeated for minutes.
+    benchmark::RegisterBenchmark(("stage/" + std::string(stage_names[i]) + "/" + input.name).c_str(),
+                                 [input, stage](benchmark::State& state) { measure_stage(state, input, stage); })
+        ->UseManualTime()
+        ->Iterations(10)
+        ->Unit(benchmark::kMillisecond);
+  }
+  for (const int threads : thread_counts) {
+    benchmark::RegisterBenchmark(("whole/" + input.name + "/threads:" + std::to_string(threads)).c_str(),
+                                 [input, threads](benchmark::State& state) { measure_whole(state, input, threads); })
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+/// `size` is the generator's SIZE for so many edges of both operands together.
+void register_growth(const NamedWorkload& kind, std::uint32_t (*size)(std::int64_t edges)) {
+  benchmark::RegisterBenchmark(("growth/" + std::string(kind.name)).c_str(),
+                               [kind, size](benchmark::State& state) {
+                                 const auto make = [&] { return kind.make(size(state.range(0)), 1); };
+                                 measure_whole(state, {kind.name, make}, 1);
+                               })
+      ->RangeMultiplier(10)
+      ->Range(10'000, 1'000'000)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond)
+      ->Complexity(benchmark::oNLogN);
+}
+
+void register_all(int files, char** paths) {
+  const auto generated = [](const char* name, std::uint32_t size) {
+    const NamedWorkload& kind = *find_workload(name);
+    return Input{std::string(name) + "-" + std::to_string(size), [kind, size] { return kind.make(size, 1); }};
+  };
+  register_input(generated("stars", 100'000), {1, 2});  // long chains, few meetings
+  register_input(generated("crossing", 500), {1, 2});   // meetings and nothing else
+  register_input(generated("slabs", 200), {1, 2});      // long edges that each meet all of the other operand
+  register_input(generated("coverage", 60), {1, 2});    // shared borders, holes filled and not
+  register_input(generated("pairs", 10'000), {1});      // calls so small that they are never divided
+  for (int i = 0; i < files; ++i) {
+    const std::string path = paths[i];
+    register_input({path.substr(path.rfind('/') + 1), [path] { return read_workload(path); }}, {1, 2});
+  }
+  register_growth(*find_workload("stars"), [](std::int64_t n) { return static_cast<std::uint32_t>(n / 2); });
+  register_growth(*find_workload("checkerboard"), [](std::int64_t n) {  // as many meetings as squares
+    return static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(n) / 8)));
+  });
+}
+
+}  // namespace
+}  // namespace oblast::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  oblast::bench::register_all(argc - 1, argv + 1);
+  try {
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "oblast_stages: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
