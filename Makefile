@@ -40,6 +40,7 @@ bench:  ## every workload and every peer, the stages, files to file; SCALE=full 
 	@bench/run --scale $(or $(SCALE),small)
 	@build/bench/bench/oblast_stages --benchmark_out=build/bench/report/stages.json
 	@bench/end_to_end --scale $(or $(SCALE),small)
+	$(if $(filter full,$(SCALE)),@bench/run --scale growth --peers '^$$' --output build/bench/report/growth)
 
 fuzz:  ## the fuzzers, SECONDS_EACH seconds each (60)
 	@tools/install --fuzz

@@ -3,6 +3,7 @@
 import os
 import platform
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,6 +19,13 @@ def in_environment():
         os.execv(python, [str(python), *sys.argv])
 
 
+def version(program):
+    """The first line a program says of its version; empty where there is no such program."""
+    if not shutil.which(program):
+        return ""
+    return subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split("\n")[0]
+
+
 def describe():
     with open("/proc/cpuinfo") as file:
         model = re.search(r"model name\s*:\s*(.*)", file.read())
@@ -25,8 +33,8 @@ def describe():
         memory = int(re.search(r"MemTotal:\s*(\d+)", file.read()).group(1)) / 2**20
     with open("/etc/os-release") as file:
         system = re.search(r'PRETTY_NAME="(.*)"', file.read()).group(1)
-    compiler = subprocess.run(["g++", "--version"], capture_output=True, text=True).stdout.splitlines()[:1]
+    compilers = [version("g++"), version("rustc")]
     return (
         f"{model.group(1) if model else platform.machine()}, {os.cpu_count()} cores, {memory:.0f} GiB; "
-        f"{system}; {compiler[0] if compiler else 'no g++'}"
+        f"{system}; {'; '.join(compiler for compiler in compilers if compiler)}"
     )

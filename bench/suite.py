@@ -53,7 +53,10 @@ def fires(scale):
 
 
 def suite(scale, shared):
-    """The workloads at a scale, `small` (minutes) or `full`."""
+    """The workloads at a scale: `small` (minutes), `full`, or `growth`: two kinds from 10^4 to 10^7 edges."""
+    if scale == "growth":  # few meetings, and as many as squares
+        stars = generated("stars", [5_000, 50_000, 500_000, 5_000_000])
+        return stars + generated("checkerboard", [36, 112, 354, 1_119])
     full = scale == "full"
 
     def pick(small, large):

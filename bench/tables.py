@@ -18,10 +18,21 @@ def groups(rows):
     return result
 
 
-def best_peer(rows):
+def good(rows, prefix=""):
+    """Rows of peers whose result is good."""
+    return [
+        r
+        for r in rows
+        if r["peer"].startswith(prefix)
+        and not r["peer"].startswith("oblast")
+        and "seconds" in r
+        and r.get("verdict") in GOOD
+    ]
+
+
+def best_peer(rows, prefix=""):
     """The fastest peer with a good result, and None where there is none."""
-    good = [r for r in rows if not r["peer"].startswith("oblast") and "seconds" in r and r.get("verdict") in GOOD]
-    return min(good, key=lambda r: r["seconds"], default=None)
+    return min(good(rows, prefix), key=lambda r: r["seconds"], default=None)
 
 
 def ours(rows):
@@ -54,29 +65,99 @@ def detail_table(rows):
     return "\n".join(lines)
 
 
-def summary_table(report):
-    """One line a workload: our time, the best peer's, and the ratio (above 1: we are faster)."""
+def provenance(report):
+    """The machine and every version, two lines."""
     versions = {row["peer"]: row["version"] for row in report["rows"] if "version" in row}
+    commits = sorted({row["commit"] for row in report["rows"] if "commit" in row})
+    told = [f"{peer} {version}" for peer, version in versions.items() if not peer.startswith("oblast-")]
+    return f"{report['date']}, {report['machine']}.\n\nVersions: {'; '.join(told)}. Commit: {', '.join(commits)}."
+
+
+def named(row):
+    return row["peer"] + ("\\*" if row.get("verdict") == "contours only" else "")
+
+
+def against(rows, prefix):
+    """How many times longer than ours a family of peers takes at its best; or why there is no such figure."""
+    reference, best = ours(rows), best_peer(rows, prefix)
+    if best:
+        return f"{best['seconds'] / reference['seconds']:.2f}"
+    family = [row for row in rows if row["peer"].startswith(prefix) and "unsupported" not in row]
+    if not family:
+        return "-"
+    if any("seconds" in row for row in family):
+        return "wrong"
+    return "too slow" if all(row["error"].startswith("not done") for row in family) else "failed"
+
+
+def summary_table(report):
+    """One line a workload and operation. Ratios are a peer's time divided by ours (above 1: we are faster)."""
+    by_threads = {}
+    for (workload, operation, threads), rows in groups(report["rows"]).items():
+        by_threads.setdefault((workload, operation), {})[threads] = rows
+    counts = sorted({threads for measured in by_threads.values() for threads in measured})
+    columns = ["workload", "edges"]
+    for threads in counts:
+        columns += [f"oblast, {threads} thread{'s' * (threads > 1)}", "best peer", "/ ours"]
+    columns += ["GEOS / ours", "Clipper2 / ours", "peak MiB", "leanest peer"]
+    lines = ["| " + " | ".join(columns) + " |", "|---|--:|" + "--:|---|--:|" * len(counts) + "--:|--:|--:|---|"]
+    for (workload, operation), measured in by_threads.items():
+        name = workload if operation == "default" else f"{workload}, {operation}"
+        cells = [name, f"{next(iter(measured.values()))[0].get('edges', 0):,}"]
+        for threads in counts:
+            rows = measured.get(threads, [])
+            reference, best = ours(rows), best_peer(rows)
+            cells.append(duration(reference["seconds"]) if reference else "failed" if rows else "")
+            cells.append(f"{named(best)} {duration(best['seconds'])}" if best else "none" if rows else "")
+            cells.append(f"{best['seconds'] / reference['seconds']:.2f}" if best and reference else "")
+        rows = measured[min(measured)]  # these peers know no threads
+        leanest = min(good(rows), key=lambda r: r["peak_kib"], default=None)
+        cells += [against(rows, "geos"), against(rows, "clipper2")] if ours(rows) else ["", ""]
+        cells.append(f"{ours(rows)['peak_kib'] / 1024:.0f}" if ours(rows) else "")
+        cells.append(f"{named(leanest)} {leanest['peak_kib'] / 1024:.0f}" if leanest else "")
+        lines.append("| " + " | ".join(cells) + " |")
+    notes = "\\*: contours that were not assigned to polygons, and are not judged but by their area. " + faults(report)
+    return "\n".join([provenance(report), "", *lines, "", notes])
+
+
+def faults(report):
+    """How many results of each engine are invalid or wrong, and how often it failed or was too slow."""
+    counts = {}
+    for row in report["rows"]:
+        bad = row.get("verdict") in ("invalid", "wrong area")
+        fault = "invalid or wrong" if bad else "failed or too slow" if "error" in row else None
+        per_peer = counts.setdefault(row["peer"], {})
+        per_peer["of"] = per_peer.get("of", 0) + ("unsupported" not in row)
+        if fault:
+            per_peer[fault] = per_peer.get(fault, 0) + 1
+    told = []
+    for peer, per_peer in counts.items():
+        what = [f"{number} {fault}" for fault, number in per_peer.items() if fault != "of"]
+        if peer == "oblast" or what:
+            told.append(f"{peer} {', '.join(what) or 'none'} of {per_peer['of']}")
+    return f"Faulty results (those of peers do not count as best): {'; '.join(told)}."
+
+
+def growth_table(report):
+    """Time and memory per edge by size; growth is against the size above, a tenth as large."""
     lines = [
-        report["machine"],
-        "",
-        "; ".join(f"{peer} {version}" for peer, version in versions.items()),
-        "",
-        "| workload | operation | threads | oblast | best peer | its time | ratio | least peak of peers / ours |",
-        "|---|---|--:|--:|---|--:|--:|--:|",
+        "| workload | threads | engine | edges | median | ns an edge | growth | bytes an edge |",
+        "|---|--:|---|--:|--:|--:|--:|--:|",
     ]
-    for (workload, operation, threads), members in groups(report["rows"]).items():
-        reference, best = ours(members), best_peer(members)
-        if not reference:
-            lines.append(f"| {workload} | {operation} | {threads} | failed | | | | |")
-            continue
-        head = f"| {workload} | {operation} | {threads} | {duration(reference['seconds'])} |"
-        if not best:
-            lines.append(f"{head} none finished with a valid result | | | |")
-            continue
-        peaks = [r["peak_kib"] for r in members if not r["peer"].startswith("oblast") and "seconds" in r and r.get("verdict") in GOOD]
-        lines.append(
-            f"{head} {best['peer']} | {duration(best['seconds'])} | {best['seconds'] / reference['seconds']:.2f} "
-            f"| {min(peaks) / reference['peak_kib']:.2f} |"
-        )
-    return "\n".join(lines)
+    series = {}
+    for row in report["rows"]:
+        family = row["workload"].rsplit("-", 1)[0]
+        series.setdefault((family, row["operation"], row["threads"], row["peer"]), []).append(row)
+    for (family, _, threads, peer), rows in series.items():
+        before = None
+        for row in sorted(rows, key=lambda r: r["edges"]):
+            head = f"| {family} | {threads} | {peer} | {row['edges']:,} |"
+            if "seconds" not in row:
+                lines.append(f"{head} | | | {row.get('error') or row.get('unsupported')} |")
+                continue
+            each = row["seconds"] / row["edges"] * 1e9
+            growth = f"{each / before:.2f}" if before else ""
+            memory = (row["peak_kib"] - row["input_kib"]) * 1024 / row["edges"]
+            lines.append(f"{head} {duration(row['seconds'])} | {each:.0f} | {growth} | {memory:.0f} |")
+            before = each
+    return "\n".join([provenance(report), "", *lines])
