@@ -6,87 +6,106 @@
 //
 //   oblast_stages [--benchmark_filter=REGEX ...] [WORKLOAD_FILE...]      files (oblast_workload) are inputs as well
 //
-// An input of many pairs is one call after another. Items per second are edges of the input. The column of processor
-// time is that of the whole call, beside a stage too.
+// An input of many pairs is one call after another. Items per second are edges of the input. Beside a stage the column
+// of processor time means nothing.
 #include <benchmark/benchmark.h>
 #include <oblast/oblast.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "workloads/workloads.h"
 
 namespace oblast::bench {
 namespace {
 
-/// Its name, and a workload made when it is first needed: a filtered run makes those it measures only.
-struct Input {
-  std::string name;
-  std::function<Workload()> make;
-  std::shared_ptr<Workload> made = std::make_shared<Workload>();
+using StageSeconds = std::array<double, stage_count>;
 
-  const Workload& workload() const {
-    if (made->pairs() == 0) *made = make();
-    return *made;
+/// A workload by name, made when it is first needed: a filtered run makes those it measures only.
+class Input {
+ public:
+  Input(std::string name, std::function<Workload()> make) : name_(std::move(name)), make_(std::move(make)) {}
+
+  const std::string& name() const { return name_; }
+
+  const Workload& workload() {
+    if (workload_.pairs() == 0) workload_ = make_();
+    return workload_;
   }
+
+  std::int64_t edges() {
+    return static_cast<std::int64_t>(workload().a.arrays.points.size() + workload().b.arrays.points.size());
+  }
+
+  /// Of the call of that number. All stages share their calls, so their times add up to the pipeline's.
+  const StageSeconds& stage_seconds(std::size_t call);
+
+ private:
+  std::string name_;
+  std::function<Workload()> make_;
+  Workload workload_;
+  std::vector<StageSeconds> calls_;
 };
 
-std::int64_t edges(const Workload& workload) {
-  return static_cast<std::int64_t>(workload.a.arrays.points.size() + workload.b.arrays.points.size());
-}
-
-/// Every pair of the workload; with statistics the pipeline's, added up by stage.
-void call(const Workload& workload, int threads, double* seconds_by_stage) {
+/// Every pair of the workload; with `stages` the pipeline's statistics, added up by stage.
+void call(const Workload& workload, int threads, StageSeconds* stages) {
   Statistics statistics;
   Options options;
   options.fill_a.kind = options.fill_b.kind = workload.fill;
   options.threads = threads;
-  if (seconds_by_stage) options.statistics = &statistics;
+  if (stages) options.statistics = &statistics;
   const bool unary = workload.b.arrays.points.empty();
   for (std::size_t i = 0; i < workload.pairs(); ++i) {
     const RegionView a = workload.a.pair(i);
     benchmark::DoNotOptimize(unary ? unite(a, options) : overlay(a, workload.b.pair(i), workload.operation, options));
-    if (!seconds_by_stage) continue;
-    for (int stage = 0; stage < stage_count; ++stage) seconds_by_stage[stage] += statistics.seconds[stage];
+    if (!stages) continue;
+    for (std::size_t stage = 0; stage < stage_count; ++stage) (*stages)[stage] += statistics.seconds[stage];
   }
 }
 
-void measure_stage(benchmark::State& state, const Input& input, Stage stage) {
-  const Workload& workload = input.workload();
-  for ([[maybe_unused]] auto run : state) {
-    double seconds[stage_count] = {};
-    call(workload, 1, seconds);
-    state.SetIterationTime(seconds[static_cast<int>(stage)]);
+const StageSeconds& Input::stage_seconds(std::size_t number) {
+  while (calls_.size() <= number) {
+    StageSeconds seconds = {};
+    call(workload(), 1, &seconds);
+    calls_.push_back(seconds);
   }
-  state.SetItemsProcessed(state.iterations() * edges(workload));
+  return calls_[number];
 }
 
-void measure_whole(benchmark::State& state, const Input& input, int threads) {
+void measure_stage(benchmark::State& state, Input& input, std::size_t stage, std::size_t& next_call) {
+  for ([[maybe_unused]] auto run : state) state.SetIterationTime(input.stage_seconds(next_call++)[stage]);
+  state.SetItemsProcessed(state.iterations() * input.edges());
+}
+
+void measure_whole(benchmark::State& state, Input& input, int threads) {
   const Workload& workload = input.workload();
   for ([[maybe_unused]] auto run : state) call(workload, threads, nullptr);
-  state.SetItemsProcessed(state.iterations() * edges(workload));
-  state.SetComplexityN(edges(workload));
+  state.SetItemsProcessed(state.iterations() * input.edges());
+  state.SetComplexityN(input.edges());
 }
 
-void register_input(const Input& input, std::initializer_list<int> thread_counts) {
+void register_input(const std::shared_ptr<Input>& input, std::initializer_list<int> thread_counts) {
   constexpr const char* stage_names[stage_count] = {"collect", "node", "label", "select", "link", "assemble"};
-  for (int i = 0; i < stage_count; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    // Each iteration is a whole call, whose other stages do not count: their number is fixed, or a short stage
-    // would be repeated for minutes.
-    benchmark::RegisterBenchmark(("stage/" + std::string(stage_names[i]) + "/" + input.name).c_str(),
-                                 [input, stage](benchmark::State& state) { measure_stage(state, input, stage); })
+  for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    const auto measure = [input, stage, next_call = std::size_t{0}](benchmark::State& state) mutable {
+      measure_stage(state, *input, stage, next_call);
+    };
+    // An iteration is a whole call: were their number not fixed, a short stage would be repeated for minutes.
+    benchmark::RegisterBenchmark(("stage/" + std::string(stage_names[stage]) + "/" + input->name()).c_str(), measure)
         ->UseManualTime()
-        ->Iterations(10)
+        ->Iterations(5)
         ->Unit(benchmark::kMillisecond);
   }
   for (const int threads : thread_counts) {
-    benchmark::RegisterBenchmark(("whole/" + input.name + "/threads:" + std::to_string(threads)).c_str(),
-                                 [input, threads](benchmark::State& state) { measure_whole(state, input, threads); })
+    benchmark::RegisterBenchmark(("whole/" + input->name() + "/threads:" + std::to_string(threads)).c_str(),
+                                 [input, threads](benchmark::State& state) { measure_whole(state, *input, threads); })
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
   }
@@ -96,8 +115,8 @@ void register_input(const Input& input, std::initializer_list<int> thread_counts
 void register_growth(const NamedWorkload& kind, std::uint32_t (*size)(std::int64_t edges)) {
   benchmark::RegisterBenchmark(("growth/" + std::string(kind.name)).c_str(),
                                [kind, size](benchmark::State& state) {
-                                 const auto make = [&] { return kind.make(size(state.range(0)), 1); };
-                                 measure_whole(state, {kind.name, make}, 1);
+                                 Input input(kind.name, [&] { return kind.make(size(state.range(0)), 1); });
+                                 measure_whole(state, input, 1);
                                })
       ->RangeMultiplier(10)
       ->Range(10'000, 1'000'000)
@@ -109,7 +128,8 @@ void register_growth(const NamedWorkload& kind, std::uint32_t (*size)(std::int64
 void register_all(int files, char** paths) {
   const auto generated = [](const char* name, std::uint32_t size) {
     const NamedWorkload& kind = *find_workload(name);
-    return Input{std::string(name) + "-" + std::to_string(size), [kind, size] { return kind.make(size, 1); }};
+    return std::make_shared<Input>(std::string(name) + "-" + std::to_string(size),
+                                   [kind, size] { return kind.make(size, 1); });
   };
   register_input(generated("stars", 100'000), {1, 2});  // long chains, few meetings
   register_input(generated("crossing", 500), {1, 2});   // meetings and nothing else
@@ -118,7 +138,8 @@ void register_all(int files, char** paths) {
   register_input(generated("pairs", 10'000), {1});      // calls so small that they are never divided
   for (int i = 0; i < files; ++i) {
     const std::string path = paths[i];
-    register_input({path.substr(path.rfind('/') + 1), [path] { return read_workload(path); }}, {1, 2});
+    const std::string name = path.substr(path.rfind('/') + 1);
+    register_input(std::make_shared<Input>(name, [path] { return read_workload(path); }), {1, 2});
   }
   register_growth(*find_workload("stars"), [](std::int64_t n) { return static_cast<std::uint32_t>(n / 2); });
   register_growth(*find_workload("checkerboard"), [](std::int64_t n) {  // as many meetings as squares
