@@ -28,14 +28,13 @@ def draw(report, path):
     figure, axes = plt.subplots(figsize=(9, 1.5 + 0.3 * len(chosen)))
     labelled = set()
     for y, ((workload, operation, _), rows) in enumerate(reversed(chosen)):
-        own = ours(rows)["seconds"]
         for row in rows:
-            if row["peer"].startswith("oblast") or "seconds" not in row:
+            if row["peer"].startswith("oblast") or "seconds" not in row or not row["ours_seconds"]:
                 continue
             family = row["peer"].split("-")[0]
             good = row.get("verdict") in GOOD
             axes.plot(
-                row["seconds"] / own,
+                row["seconds"] / row["ours_seconds"],
                 y,
                 marker="o" if good else "x",
                 color=COLOURS.get(family, "black"),

@@ -68,7 +68,7 @@ def suite(scale, shared):
     result += generated("nested", pick([300], [1000]))
     result += generated("crossing", pick([500], [500, 2000]))
     result += generated("spiral_pair", pick([20_000], [500_000]))
-    result += generated("coverage", pick([60], [300]))
+    result += generated("coverage", pick([40], [300]))
     result += generated("pairs", pick([100_000], [1_000_000]), pairs=True)
     # one operand convex: the fast paths
     for kind in ("small_window", "large_window", "octagon"):

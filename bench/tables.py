@@ -41,11 +41,11 @@ def ours(rows):
 
 def detail_table(rows):
     lines = [
-        "| workload | operation | threads | engine | median | spread | / ours | peak MiB | input MiB | contours | vertices | result |",
+        "| workload | operation | threads | engine | median | spread | / ours | peak MiB | input MiB "
+        "| contours | vertices | result |",
         "|---|---|--:|---|--:|--:|--:|--:|--:|--:|--:|---|",
     ]
     for (workload, operation, threads), members in groups(rows).items():
-        reference = ours(members)
         for row in members:
             head = f"| {workload} | {operation} | {threads} | {row['peer']} |"
             if "seconds" not in row:
@@ -54,12 +54,11 @@ def detail_table(rows):
                 lines.append(f"{head} | | | | | | | {reason} |")
                 continue
             spread = (row.get("slowest", row["seconds"]) - row.get("fastest", row["seconds"])) / row["seconds"]
-            ratio = f"{row['seconds'] / reference['seconds']:.2f}" if reference else ""
             verdict = row.get("verdict", "")
             if verdict in ("invalid", "wrong area"):
                 verdict = f"{verdict.upper()}: {row['fault']}"
             lines.append(
-                f"{head} {duration(row['seconds'])} | {100 * spread:.0f} % | {ratio} | {row['peak_kib'] / 1024:.0f} "
+                f"{head} {duration(row['seconds'])} | {100 * spread:.0f} % | {ratio(row)} | {row['peak_kib'] / 1024:.0f} "
                 f"| {row['input_kib'] / 1024:.0f} | {row['contours']} | {row['vertices']} | {verdict} |"
             )
     return "\n".join(lines)
@@ -73,15 +72,23 @@ def provenance(report):
     return f"{report['date']}, {report['machine']}.\n\nVersions: {'; '.join(told)}. Commit: {', '.join(commits)}."
 
 
+def ratio(row):
+    """A peer's time divided by ours of the same sitting; empty where ours failed."""
+    if not row.get("ours_seconds"):
+        return ""
+    times = row["seconds"] / row["ours_seconds"]
+    return f"{times:.2f}" if times < 10 else f"{times:.0f}"
+
+
 def named(row):
     return row["peer"] + ("\\*" if row.get("verdict") == "contours only" else "")
 
 
 def against(rows, prefix):
     """How many times longer than ours a family of peers takes at its best; or why there is no such figure."""
-    reference, best = ours(rows), best_peer(rows, prefix)
+    best = best_peer(rows, prefix)
     if best:
-        return f"{best['seconds'] / reference['seconds']:.2f}"
+        return ratio(best)
     family = [row for row in rows if row["peer"].startswith(prefix) and "unsupported" not in row]
     if not family:
         return "-"
@@ -109,10 +116,10 @@ def summary_table(report):
             reference, best = ours(rows), best_peer(rows)
             cells.append(duration(reference["seconds"]) if reference else "failed" if rows else "")
             cells.append(f"{named(best)} {duration(best['seconds'])}" if best else "none" if rows else "")
-            cells.append(f"{best['seconds'] / reference['seconds']:.2f}" if best and reference else "")
+            cells.append(ratio(best) if best else "")
         rows = measured[min(measured)]  # these peers know no threads
         leanest = min(good(rows), key=lambda r: r["peak_kib"], default=None)
-        cells += [against(rows, "geos"), against(rows, "clipper2")] if ours(rows) else ["", ""]
+        cells += [against(rows, "geos"), against(rows, "clipper2")]
         cells.append(f"{ours(rows)['peak_kib'] / 1024:.0f}" if ours(rows) else "")
         cells.append(f"{named(leanest)} {leanest['peak_kib'] / 1024:.0f}" if leanest else "")
         lines.append("| " + " | ".join(cells) + " |")
