@@ -29,7 +29,7 @@ def draw(report, path):
     labelled = set()
     for y, ((workload, operation, _), rows) in enumerate(reversed(chosen)):
         for row in rows:
-            if row["peer"].startswith("oblast") or "seconds" not in row or not row["ours_seconds"]:
+            if row["peer"].startswith("oblast") or "seconds" not in row or not row.get("ours_seconds"):
                 continue
             family = row["peer"].split("-")[0]
             good = row.get("verdict") in GOOD
