@@ -3,21 +3,30 @@
 // The inner borders of a coverage, walked once in each direction, vanish here.
 #pragma once
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "noding/strands.h"
 
 namespace oblast::noding {
 
-/// By edge, the first edge with the same two ends, in either direction, where there is another one; 0xffffffff for all
-/// others. Empty where no two edges are identical. Cost: linear, expected.
-std::vector<std::uint32_t> identical_edges(const Strands& strands);
+/// Edges with the same two ends, in either direction, are of one class.
+struct IdenticalEdges {
+  std::vector<std::uint32_t> class_of;  ///< by edge: its class; 0xffffffff where no other edge is identical
+  std::vector<std::uint32_t> first;     ///< by class: its first edge
 
-/// The strands without repeated edges: of identical edges one is left, as a strand of its own in group 0, or none where
+  bool empty() const { return first.empty(); }
+};
+
+/// Cost: linear, expected.
+IdenticalEdges identical_edges(const Strands& strands);
+
+/// The strands without repeated edges: of each class one edge is left, as a strand of its own in group 0, or none where
 /// the changes cancel. Strands break where an edge was taken out. Cost: linear.
-Strands merge_identical_edges(Strands strands, const std::vector<std::uint32_t>& identical);
+Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical);
 inline Strands merge_identical_edges(Strands strands) {
-  const std::vector<std::uint32_t> identical = identical_edges(strands);
+  const IdenticalEdges identical = identical_edges(strands);
   return merge_identical_edges(std::move(strands), identical);
 }
 

@@ -1,10 +1,13 @@
 #include "overlay/collect.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
+#include "noding/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
 
@@ -29,12 +32,6 @@ std::span<const Point> append_clean(std::span<const Point> ring, std::vector<Poi
   return std::span(points).subspan(begin);
 }
 
-/// Closes the strand whose points begin there.
-void close(Winding winding, Group group, Simplicity simplicity, std::size_t begin, Strands& strands) {
-  strands.points.push_back(Point(strands.points[begin]));
-  strands.close_strand(winding, group, simplicity);
-}
-
 /// Reads polygons of an operand.
 class PolygonReader {
  public:
@@ -43,26 +40,67 @@ class PolygonReader {
 
   /// Appends polygons [begin, end) to the strands; the number of those whose rings were found to meet.
   std::uint64_t read(std::size_t begin, std::size_t end, Strands& strands) const {
+    Scratch scratch;
     std::uint64_t resolved = 0;
     for (std::size_t p = begin; p < end; ++p)
-      if (!read_one_ring(p, strands)) resolved += resolve_polygon(p, strands);
+      if (!read_as_it_is(p, scratch, strands)) resolved += resolve_polygon(p, strands);
     return resolved;
   }
 
  private:
-  /// False when the polygon is not a ring that can be taken as it is.
-  bool read_one_ring(std::size_t polygon, Strands& strands) const {
-    if (operand_.polygon_end(polygon) - operand_.polygon_begin(polygon) != 1) return false;
+  struct Scratch {
+    std::vector<std::uint32_t> ends;  ///< of the polygon's rings, counted from its first point
+    noding::RingTree tree;
+  };
+
+  /// False when the polygon's rings cannot be taken as they are.
+  bool read_as_it_is(std::size_t polygon, Scratch& scratch, Strands& strands) const {
     const std::size_t begin = strands.points.size();
-    const std::span ring = append_clean(operand_.contour(operand_.polygon_begin(polygon)), strands.points);
-    if (ring.empty()) return true;
+    scratch.ends.clear();
+    for (std::uint32_t c = operand_.polygon_begin(polygon); c < operand_.polygon_end(polygon); ++c) {
+      const std::span ring = append_clean(operand_.contour(c), strands.points);
+      if (ring.empty()) continue;
+      strands.points.push_back(Point(ring[0]));
+      scratch.ends.push_back(static_cast<std::uint32_t>(strands.points.size() - begin));
+    }
+    const std::span rings = std::span(strands.points).subspan(begin);
+    const bool taken = scratch.ends.size() > 1 ? add_rings(polygon, rings, scratch, strands)
+                                               : scratch.ends.empty() || add_ring(polygon, rings, scratch, strands);
+    if (!taken) strands.points.resize(begin);
+    return taken;
+  }
+
+  /// Of a layer, whose polygons may share edges, each is looked at here, as node_strands would have to.
+  bool add_ring(std::size_t polygon, std::span<const Point> closed, Scratch& scratch, Strands& strands) const {
+    const std::span ring = closed.first(closed.size() - 1);
     const int convex = convex_turn(ring);
     const int turn = convex != 0 ? convex : turn_at_smallest(ring);
-    if (turn == 0) {
-      strands.points.resize(begin);
-      return false;
+    if (turn == 0) return false;
+    std::optional<bool> meet;
+    if (convex != 0) {
+      meet = false;
+    } else if (operand_.polygon_count() > 1) {
+      scratch.tree.build(closed, scratch.ends);
+      meet = scratch.tree.edges_meet();
     }
-    close(winding(turn), group(polygon), convex != 0 ? Simplicity::known : Simplicity::assumed, begin, strands);
+    if (meet && *meet) return false;
+    strands.close_strand(winding(turn), group(polygon), meet ? Simplicity::known : Simplicity::assumed);
+    return true;
+  }
+
+  /// Where rings of one polygon do not meet, its region lies to the left of every second one around a place.
+  bool add_rings(std::size_t polygon, std::span<const Point> points, Scratch& scratch, Strands& strands) const {
+    scratch.tree.build(points, scratch.ends);
+    const std::optional<bool> meet = scratch.tree.edges_meet();
+    if (!meet || *meet) return false;
+    const std::optional<std::vector<bool>> odd_depths = scratch.tree.odd_depths();
+    if (!odd_depths) return false;
+    const auto offset = static_cast<std::uint32_t>(strands.points.size() - points.size());
+    for (std::size_t r = 0, begin = 0; r < scratch.ends.size(); begin = scratch.ends[r++]) {
+      const int turn = turn_at_smallest(points.subspan(begin, scratch.ends[r] - 1 - begin));
+      strands.close_strand(winding((*odd_depths)[r] ? -turn : turn), group(polygon));
+      strands.ends.back() = offset + scratch.ends[r];
+    }
     return true;
   }
 
@@ -96,22 +134,20 @@ void append(Strands& to, const Strands& from) {
 
 void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
                         Statistics& statistics) {
-  constexpr std::size_t polygons_a_part = 2048;
+  constexpr std::size_t polygons_a_part = 256;
   const PolygonReader reader(operand, is_b, first_group, control);
-  const std::size_t count = operand.polygon_count();
-  if (count <= polygons_a_part) {
-    control.checkpoint(Stage::collect, 0);
-    statistics.resolved_polygons += reader.read(0, count, strands);
+  const std::size_t count = operand.polygon_count(), parts = (count + polygons_a_part - 1) / polygons_a_part;
+  const auto read_part = [&](std::size_t part, Strands& to) {
+    control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
+    return reader.read(part * polygons_a_part, std::min(count, (part + 1) * polygons_a_part), to);
+  };
+  if (parts == 1 || tbb::this_task_arena::max_concurrency() == 1) {
+    for (std::size_t part = 0; part < parts; ++part) statistics.resolved_polygons += read_part(part, strands);
     return;
   }
-  const std::size_t parts = (count + polygons_a_part - 1) / polygons_a_part;
   std::vector<Strands> read(parts);
   std::atomic<std::uint64_t> resolved = 0;
-  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-    control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
-    const std::size_t end = std::min(count, (part + 1) * polygons_a_part);
-    resolved += reader.read(part * polygons_a_part, end, read[part]);
-  });
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) { resolved += read_part(part, read[part]); });
   for (Strands& part : read) {
     append(strands, part);
     part = {};
@@ -121,9 +157,10 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
 
 void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands) {
   for (std::size_t c = 0; c < operand.contour_count(); ++c) {
-    const std::size_t begin = strands.points.size();
-    if (!append_clean(operand.contour(c), strands.points).empty())
-      close(is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group, Simplicity::known, begin, strands);
+    const std::span ring = append_clean(operand.contour(c), strands.points);
+    if (ring.empty()) continue;
+    strands.points.push_back(Point(ring[0]));
+    strands.close_strand(is_b ? Winding{0, 1} : Winding{1, 0}, noding::any_group);
   }
 }
 

@@ -13,19 +13,20 @@ using noding::Strands;
 
 /// The strands assumed to be simple that are not, sorted; all others are known to be then.
 std::vector<std::uint32_t> find_tangled(Strands& strands) {
-  std::vector<std::uint8_t> is_tangled(strands.size(), 0);
+  std::vector<std::uint8_t> found(strands.size(), 0);
   constexpr std::size_t strands_a_task = 256;
   for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
+    noding::RingTree tree;
     for (std::size_t s = first; s < past; ++s) {
       if (strands.simplicity[s] == Simplicity::known) continue;
-      const std::uint32_t begin = strands.begin(s), last = strands.ends[s] - 1;
-      is_tangled[s] = ring_shape(std::span(strands.points).subspan(begin, last - begin)) == RingShape::tangled;
-      if (!is_tangled[s]) strands.simplicity[s] = Simplicity::known;
+      const std::uint32_t begin = strands.begin(s);
+      found[s] = is_tangled(std::span(strands.points).subspan(begin, strands.ends[s] - begin), tree);
+      if (!found[s]) strands.simplicity[s] = Simplicity::known;
     }
   });
   std::vector<std::uint32_t> tangled;
   for (std::uint32_t s = 0; s < strands.size(); ++s)
-    if (is_tangled[s]) tangled.push_back(s);
+    if (found[s]) tangled.push_back(s);
   return tangled;
 }
 
@@ -38,7 +39,7 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
     strands = resolve_tangled(strands, tangled, control);
   };
   for (;;) {
-    const std::vector<std::uint32_t> identical = noding::identical_edges(strands);
+    const noding::IdenticalEdges identical = noding::identical_edges(strands);
     if (!identical.empty() && strands.has_assumed()) {
       if (const auto tangled = find_tangled(strands); !tangled.empty()) {
         resolve_all(tangled);

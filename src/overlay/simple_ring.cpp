@@ -14,44 +14,17 @@ namespace {
 
 using exact::orientation;
 
-// Below this, testing every pair of edges is quicker than setting up a search.
-constexpr std::size_t small_ring = 24;
-
-/// Closed segments: true when they share any point.
-bool edges_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
-  if (!noding::Box::of(a, b).meets(noding::Box::of(c, d))) return false;
-  if (orientation(a, b, c) * orientation(a, b, d) > 0) return false;
-  return orientation(c, d, a) * orientation(c, d, b) <= 0;
-}
-
-/// u -- v -- w folds back onto itself.
-bool folds(const Point& u, const Point& v, const Point& w) {
-  return lexicographically_less(u, v) != lexicographically_less(v, w) && orientation(u, v, w) == 0;
-}
-
-bool small_ring_is_simple(std::span<const Point> ring) {
-  const std::size_t n = ring.size();
-  const auto at = [&](std::size_t i) -> const Point& { return ring[i < n ? i : i - n]; };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (folds(at(i), at(i + 1), at(i + 2))) return false;
-    for (std::size_t j = i + 2; j < n && j - i < n - 1; ++j)
-      if (edges_meet(ring[i], at(i + 1), ring[j], at(j + 1))) return false;
-  }
-  return true;
-}
-
-bool large_ring_is_simple(std::span<const Point> ring) {
+/// By the search that noding uses, whatever the ring is like.
+bool is_tangled_anyhow(std::span<const Point> closed_ring) {
   noding::Strands strand;
-  strand.points.reserve(ring.size() + 1);
-  strand.points.assign(ring.begin(), ring.end());
-  strand.points.push_back(ring[0]);
+  strand.points.assign(closed_ring.begin(), closed_ring.end());
   strand.close_strand({}, noding::any_group);
   strand.flags.assign(strand.points.size(), 0);
   strand.flags.front() = strand.flags.back() = noding::closed_flag;
   auto runs = noding::monotone_runs(strand, noding::Grouping::by_strand);
-  if (!noding::find_meetings(strand, std::move(runs), {}).empty()) return false;
-  return std::none_of(strand.flags.begin(), strand.flags.end(),
-                      [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
+  if (!noding::find_meetings(strand, std::move(runs), {}).empty()) return true;
+  return std::any_of(strand.flags.begin(), strand.flags.end(),
+                     [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
 }
 
 }  // namespace
@@ -82,11 +55,22 @@ int turn_at_smallest(std::span<const Point> ring) {
   return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
 }
 
+bool is_tangled(std::span<const Point> closed_ring, noding::RingTree& tree) {
+  const auto end = static_cast<std::uint32_t>(closed_ring.size());
+  tree.build(closed_ring, std::span(&end, 1));
+  const std::optional<bool> answer = tree.edges_meet();
+  return answer ? *answer : is_tangled_anyhow(closed_ring);
+}
+
 RingShape ring_shape(std::span<const Point> ring) {
   int turn = convex_turn(ring);
   if (turn == 0) {
-    const bool simple = ring.size() <= small_ring ? small_ring_is_simple(ring) : large_ring_is_simple(ring);
-    if (!simple) return RingShape::tangled;
+    std::vector<Point> closed;
+    closed.reserve(ring.size() + 1);
+    closed.assign(ring.begin(), ring.end());
+    closed.push_back(ring[0]);
+    noding::RingTree tree;
+    if (is_tangled(closed, tree)) return RingShape::tangled;
     turn = turn_at_smallest(ring);
   }
   return turn > 0 ? RingShape::counter_clockwise : RingShape::clockwise;

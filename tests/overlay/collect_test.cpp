@@ -79,12 +79,19 @@ TEST(Collect, operandsHaveTheirOwnWindingNumbersAndGroups) {
   EXPECT_NE(strands.group[0], strands.group[1]);
 }
 
-TEST(Collect, aRingIsKnownToBeSimpleWhereItIsConvex) {
-  const Strands strands = collected(regions_of("0 0, 4 0, 4 4, 0 4 | 5 0, 9 0, 6 1, 5 4 | 0 9, 2 7, 2 9, 0 7")).strands;
-  ASSERT_EQ(strands.size(), 3u);
-  EXPECT_EQ(strands.simplicity[0], noding::Simplicity::known);
-  EXPECT_EQ(strands.simplicity[1], noding::Simplicity::assumed);
-  EXPECT_EQ(strands.simplicity[2], noding::Simplicity::assumed);  // a bow-tie; node_strands() finds out
+TEST(Collect, theRingOfAnOnlyPolygonIsKnownToBeSimpleWhereItIsConvex) {
+  using noding::Simplicity;
+  EXPECT_EQ(collected(regions_of("0 0, 4 0, 4 4, 0 4")).strands.simplicity, std::vector{Simplicity::known});
+  EXPECT_EQ(collected(regions_of("5 0, 9 0, 6 1, 5 4")).strands.simplicity, std::vector{Simplicity::assumed});
+  // A bow-tie; node_strands() finds out.
+  EXPECT_EQ(collected(regions_of("0 9, 2 7, 2 9, 0 7")).strands.simplicity, std::vector{Simplicity::assumed});
+}
+
+TEST(Collect, ringsOfALayerAreLookedAt) {
+  const Collected c = collected(regions_of("0 0, 4 0, 4 4, 0 4 | 5 0, 9 0, 6 1, 5 4 | 0 9, 2 7, 2 9, 0 7"));
+  ASSERT_EQ(c.strands.size(), 4u);  // the bow-tie is its two triangles
+  EXPECT_FALSE(c.strands.has_assumed());
+  EXPECT_EQ(c.statistics.resolved_polygons, 1u);
 }
 
 TEST(Collect, ringsOfAPolygonAreItsEvenOdd) {
@@ -96,6 +103,41 @@ TEST(Collect, ringsOfAPolygonAreItsEvenOdd) {
   EXPECT_EQ(area, 81 - 49 + 1 + 1);
   EXPECT_EQ(c.statistics.resolved_polygons, 0u);  // its rings do not meet
   for (const auto group : c.strands.group) EXPECT_EQ(group, c.strands.group[0]);
+}
+
+/// The area of a polygon's even-odd, and whether it had to be resolved for that.
+struct EvenOdd {
+  double area;
+  bool resolved;
+  friend bool operator==(const EvenOdd&, const EvenOdd&) = default;
+};
+
+EvenOdd even_odd(const std::string& polygon) {
+  const Collected c = collected(regions_of(polygon));
+  double area = 0;
+  for (std::size_t s = 0; s < c.strands.size(); ++s) area += area_of(c.strands, s);
+  return {area, c.statistics.resolved_polygons == 1};
+}
+
+TEST(Collect, ringsThatDoNotMeetAreTurnedByTheirDepth) {
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 1 1, 1 4, 4 4, 4 1"), (EvenOdd{81 - 9, false}));
+  EXPECT_EQ(even_odd("0 0, 0 9, 9 9, 9 0; 1 1, 1 4, 4 4, 4 1"), (EvenOdd{81 - 9, false}));  // both reversed
+  EXPECT_EQ(even_odd("0 0, 0 9, 9 9, 9 0; 1 1, 4 1, 4 4, 1 4"), (EvenOdd{81 - 9, false}));
+  EXPECT_EQ(even_odd("1 1, 4 1, 4 4, 1 4; 0 0, 9 0, 9 9, 0 9"), (EvenOdd{81 - 9, false}));  // the hole comes first
+  EXPECT_EQ(even_odd("0 0, 4 0, 4 4, 0 4; 6 1, 6 2, 7 2, 7 1"), (EvenOdd{16 + 1, false}));  // a hole beside the shell
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 1 1, 1 8, 8 8, 8 1; 2 2, 2 5, 5 5, 5 2"),         // a hole in the hole
+            (EvenOdd{81 - 49 + 9, false}));
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 5 9, 5 2, 4 2, 4 9, 0 9; 1 5, 3 5, 2 8; 6 5, 8 5, 7 8"),  // on both sides of a bay
+            (EvenOdd{81 - 7 - 3 - 3, false}));
+}
+
+TEST(Collect, polygonsWhoseRingsMeetAreResolved) {
+  EXPECT_EQ(even_odd("0 0, 4 0, 4 4, 0 4; 2 2, 6 2, 6 6, 2 6"), (EvenOdd{16 + 16 - 8, true}));  // they cross
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 0 0, 9 0, 9 9, 0 9"), (EvenOdd{0, false}));           // a ring twice
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 3 3, 0 0, 3 0, 3 3"), (EvenOdd{81 - 4.5, true}));     // a common edge
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 0 4, 4 3, 4 6"), (EvenOdd{81 - 6, true}));            // a vertex on an edge
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 0 0, 4 2, 2 4"), (EvenOdd{81 - 6, true}));            // a common vertex
+  EXPECT_EQ(even_odd("0 0, 9 0, 9 9, 0 9; 1 1, 3 3, 3 1, 1 3"), (EvenOdd{81 - 2, true}));       // a bow-tie for a hole
 }
 
 TEST(Collect, underWindingRulesContoursEnterAsDirected) {

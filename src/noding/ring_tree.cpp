@@ -1,0 +1,215 @@
+#include "noding/ring_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "exact/orientation.h"
+
+namespace oblast::noding {
+namespace {
+
+using exact::orientation;
+
+Box box_of_both(const Box& p, const Box& q) {
+  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
+}
+
+Box common_box(const Box& p, const Box& q) {
+  return {std::max(p.x0, q.x0), std::max(p.y0, q.y0), std::min(p.x1, q.x1), std::min(p.y1, q.y1)};
+}
+
+/// Closed segments: true when they share any point. REQUIRES: their boxes do.
+bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  if (orientation(a, b, c) * orientation(a, b, d) > 0) return false;
+  return orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+/// u -- v -- w folds back onto itself.
+bool folds(const Point& u, const Point& v, const Point& w) {
+  return lexicographically_less(u, v) != lexicographically_less(v, w) && orientation(u, v, w) == 0;
+}
+
+/// Whether an edge surely gets on in a direction: its product with it is more than the rounding of that.
+bool advances(const Point& a, const Point& b, const Point& direction) {
+  const double x = (b.x - a.x) * direction.x, y = (b.y - a.y) * direction.y;
+  constexpr double safe = 0x1p-40;
+  return x + y > safe * (std::fabs(x) + std::fabs(y));
+}
+
+void extend(Box& box, const Point& p) {
+  box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+}
+
+constexpr std::uint32_t longest_leaf = 8;
+
+// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
+constexpr std::size_t stack_size = 128;
+
+}  // namespace
+
+void RingTree::build(std::span<const Point> points, std::span<const std::uint32_t> ends) {
+  points_ = points;
+  ends_ = ends;
+  leaves_.clear();
+  boxes_.clear();
+  first_leaves_.clear();
+  for (std::uint32_t ring = 0; ring < ends.size(); ++ring) {
+    first_leaves_.push_back(static_cast<std::uint32_t>(leaves_.size()));
+    add_leaves(ring, begin(ring), ends[ring] - 1);
+  }
+  first_leaves_.push_back(static_cast<std::uint32_t>(leaves_.size()));
+  add_levels();
+}
+
+void RingTree::add_leaves(std::uint32_t ring, std::uint32_t begin, std::uint32_t last) {
+  constexpr std::uint32_t look_ahead = 4;
+  for (std::uint32_t first = begin, past; first < last; first = past) {
+    const Point &from = points_[first], &to = points_[std::min(first + look_ahead, last)];
+    const Point direction{to.x - from.x, to.y - from.y};
+    Box box = Box::of(from, points_[first + 1]);
+    past = first + 1;
+    if (advances(from, points_[past], direction)) {
+      const std::uint32_t most = std::min(first + longest_leaf, last);
+      for (; past < most && advances(points_[past], points_[past + 1], direction); ++past)
+        extend(box, points_[past + 1]);
+    }
+    leaves_.push_back({first, past, ring});
+    boxes_.push_back(box);
+  }
+}
+
+void RingTree::add_levels() {
+  level_begins_.assign({0, static_cast<std::uint32_t>(boxes_.size())});
+  for (std::uint32_t level = 0; size(level) > 1; ++level) {
+    const std::uint32_t begin = level_begins_[level], end = level_begins_[level + 1];
+    for (std::uint32_t i = begin; i + 1 < end; i += 2) boxes_.push_back(box_of_both(boxes_[i], boxes_[i + 1]));
+    if ((end - begin) % 2 != 0) boxes_.push_back(Box(boxes_[end - 1]));
+    level_begins_.push_back(static_cast<std::uint32_t>(boxes_.size()));
+  }
+}
+
+std::size_t RingTree::most_looks() const {
+  constexpr std::size_t looks_a_leaf = 64;
+  return looks_a_leaf * leaves_.size();
+}
+
+std::optional<bool> RingTree::edges_meet() const {
+  std::array<Pair, stack_size> stack;
+  std::size_t on_stack = 0, looks = 0;
+  const auto push = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
+    if (j < size(level) && (i == j || box(level, i).meets(box(level, j)))) stack[on_stack++] = {level, i, j};
+  };
+  push(static_cast<std::uint32_t>(level_begins_.size() - 2), 0, 0);
+  while (on_stack > 0) {
+    const auto [level, i, j] = stack[--on_stack];
+    if (++looks > most_looks()) return {};
+    if (level == 0) {
+      if (i != j && leaves_meet(i, j)) return true;
+      continue;
+    }
+    const std::uint32_t below = level - 1;
+    push(below, 2 * i, 2 * j);
+    push(below, 2 * i, 2 * j + 1);
+    if (i != j) push(below, 2 * i + 1, 2 * j);
+    push(below, 2 * i + 1, 2 * j + 1);
+  }
+  return false;
+}
+
+/// REQUIRES: p < q, and their boxes meet.
+bool RingTree::leaves_meet(std::uint32_t p, std::uint32_t q) const {
+  const Leaf &leaf = leaves_[p], &other = leaves_[q];
+  const Box common = common_box(boxes_[p], boxes_[q]);
+  const std::uint32_t near_p = edges_in(common, leaf);
+  if (near_p == 0) return false;
+  const std::uint32_t near_q = edges_in(common, other);
+  for (std::uint32_t k = near_p; k != 0; k &= k - 1) {
+    const std::uint32_t i = leaf.first + static_cast<std::uint32_t>(std::countr_zero(k));
+    const Box edge = Box::of(points_[i], points_[i + 1]);
+    for (std::uint32_t l = near_q; l != 0; l &= l - 1) {
+      const std::uint32_t j = other.first + static_cast<std::uint32_t>(std::countr_zero(l));
+      if (edge.meets(Box::of(points_[j], points_[j + 1])) && edges_meet(i, j, leaf.ring)) return true;
+    }
+  }
+  return false;
+}
+
+/// Bit k: edge first + k of the leaf reaches into the box.
+std::uint32_t RingTree::edges_in(const Box& box, const Leaf& leaf) const {
+  std::uint32_t found = 0;
+  for (std::uint32_t e = leaf.first; e < leaf.last; ++e)
+    found |= static_cast<std::uint32_t>(box.meets(Box::of(points_[e], points_[e + 1]))) << (e - leaf.first);
+  return found;
+}
+
+/// REQUIRES: i < j, and their boxes meet.
+bool RingTree::edges_meet(std::uint32_t i, std::uint32_t j, std::uint32_t ring) const {
+  const Point &a = points_[i], &b = points_[i + 1], &c = points_[j], &d = points_[j + 1];
+  if (j == i + 1) return folds(a, b, d);
+  if (i == begin(ring) && j == ends_[ring] - 2) return folds(c, d, b);
+  return segments_meet(a, b, c, d);
+}
+
+std::optional<std::vector<bool>> RingTree::odd_depths() const {
+  std::vector<bool> odd(ends_.size());
+  std::size_t looks = 0;
+  for (std::uint32_t ring = 0; ring < ends_.size(); ++ring) {
+    const std::optional<bool> answer = is_odd(ring, looks);
+    if (!answer) return {};
+    odd[ring] = *answer;
+  }
+  return odd;
+}
+
+/// Counts the edges of other rings that a ray from a vertex of this one to the left crosses.
+std::optional<bool> RingTree::is_odd(std::uint32_t ring, std::size_t& looks) const {
+  const Point& p = points_[begin(ring)];
+  const std::uint32_t own_begin = first_leaves_[ring], own_end = first_leaves_[ring + 1];
+  std::array<std::pair<std::uint32_t, std::uint32_t>, stack_size> stack;
+  std::size_t on_stack = 0;
+  stack[on_stack++] = {static_cast<std::uint32_t>(level_begins_.size() - 2), 0};
+  bool odd = false;
+  while (on_stack > 0) {
+    const auto [level, i] = stack[--on_stack];
+    if (++looks > most_looks()) return {};
+    const Box& b = box(level, i);
+    if (b.x0 > p.x || b.y0 > p.y || b.y1 <= p.y) continue;
+    const std::uint32_t first = i << level;
+    const auto end =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>((std::uint64_t{i} + 1) << level, leaves_.size()));
+    if (first >= own_begin && end <= own_end) continue;
+    if (b.x1 < p.x && (end <= own_begin || first >= own_end)) {
+      odd ^= left_crossings_are_odd(first, end - 1, p.y);
+    } else if (level == 0) {
+      odd ^= left_crossings_are_odd(first, p);
+    } else {
+      stack[on_stack++] = {level - 1, 2 * i};
+      if (2 * i + 1 < size(level - 1)) stack[on_stack++] = {level - 1, 2 * i + 1};
+    }
+  }
+  return odd;
+}
+
+/// Of pieces that follow, all to the left of where the ray begins: a path crosses its line an odd number of times where
+/// its ends are on two sides of it, and what is between the first ring and the last one is closed.
+bool RingTree::left_crossings_are_odd(std::uint32_t first_leaf, std::uint32_t last_leaf, double y) const {
+  const Leaf &first = leaves_[first_leaf], &last = leaves_[last_leaf];
+  const auto above = [&](std::uint32_t vertex) { return points_[vertex].y > y; };
+  bool odd = above(first.first) != above(last.last);
+  if (first.ring != last.ring) odd ^= above(begin(first.ring)) != above(begin(last.ring));
+  return odd;
+}
+
+bool RingTree::left_crossings_are_odd(std::uint32_t leaf, const Point& p) const {
+  bool odd = false;
+  for (std::uint32_t e = leaves_[leaf].first; e < leaves_[leaf].last; ++e) {
+    const Point &a = points_[e], &b = points_[e + 1];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    odd ^= (b.y > a.y ? orientation(a, b, p) : orientation(b, a, p)) < 0;
+  }
+  return odd;
+}
+
+}  // namespace oblast::noding
