@@ -11,6 +11,9 @@ namespace {
 using noding::Simplicity;
 using noding::Strands;
 
+/// So few edges are compared with each other sooner than those among them that are identical are found.
+constexpr std::size_t few_vertices = 256;
+
 /// The strands assumed to be simple that are not, sorted; all others are known to be then.
 std::vector<std::uint32_t> find_tangled(Strands& strands) {
   std::vector<std::uint8_t> found(strands.size(), 0);
@@ -39,7 +42,8 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
     strands = resolve_tangled(strands, tangled, control);
   };
   for (;;) {
-    const noding::IdenticalEdges identical = noding::identical_edges(strands);
+    const noding::IdenticalEdges identical =
+        strands.points.size() <= few_vertices ? noding::IdenticalEdges{} : noding::identical_edges(strands);
     if (!identical.empty() && strands.has_assumed()) {
       if (const auto tangled = find_tangled(strands); !tangled.empty()) {
         resolve_all(tangled);
