@@ -52,8 +52,11 @@ class Finder {
       : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
 
   void run(std::vector<Run> runs) {
-    if (runs.size() <= runs_of_one_thread) {
-      if (!one_group(runs)) split(std::move(runs), Cell{});
+    if (runs.size() <= leaf_size) {
+      std::vector<RunPair> batch;
+      batch.reserve(4 * runs.size());
+      if (!one_group(runs)) test_all(runs, batch);
+      if (!batch.empty()) visit_(batch);
       return;
     }
     tbb::task_group tasks;

@@ -56,7 +56,6 @@ bool holds(const Box& box, const Point& p) { return box.x0 <= p.x && p.x <= box.
 
 Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points) {
   const std::size_t count = boxes.size();
-  const Enclosure unknown{std::vector<std::uint8_t>(count, 1), std::vector<std::uint8_t>(count, 1)};
   Enclosure found{std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
   if (count < 2) return found;
   Box around = boxes[0];
@@ -71,7 +70,8 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
     for (std::uint32_t row = grid.row(box.y0); row <= grid.row(box.y1); ++row) {
       const auto near = grid.points(row, first_column, last_column);
       looks += 1 + near.size();
-      if (looks > looks_by_box * count) return unknown;
+      if (looks > looks_by_box * count)
+        return {std::vector<std::uint8_t>(count, 1), std::vector<std::uint8_t>(count, 1)};
       for (const std::uint32_t j : near) {
         if (j == i || !holds(box, points[j])) continue;
         found.encloses[i] = 1;

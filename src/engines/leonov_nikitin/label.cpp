@@ -128,6 +128,10 @@ class Labelling {
       outside.push_back(look_outside(c));
       smallest.push_back(outside.back().p);
     }
+    if (count == 1) {
+      for (const std::uint32_t c : live_) right_[c] = right_[c] - components_[0].outside;
+      return;
+    }
     const Enclosure enclosure = find_enclosing(boxes_, smallest);
 
     std::vector<std::uint32_t> asking;
