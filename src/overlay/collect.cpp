@@ -7,6 +7,7 @@
 #include <atomic>
 #include <optional>
 
+#include "memory/large_pages.h"
 #include "noding/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
@@ -172,7 +173,9 @@ Strands collect(const RegionView& a, const RegionView* b, const Options& options
   Strands strands;
   strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
   const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);
-  strands.points.reserve(a.points.size() + (b ? b->points.size() : 0) + contours);
+  // Polygons that are resolved get a few vertices more.
+  const std::size_t points = a.points.size() + (b ? b->points.size() : 0) + contours;
+  reserve_in_large_pages(strands.points, points + points / 8);
   strands.ends.reserve(contours);
   strands.change.reserve(contours);
   strands.group.reserve(contours);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "memory/large_pages.h"
 #include "noding/cell_cut.h"
 #include "overlay/disjoint_sets.h"
 
@@ -159,13 +160,38 @@ Strands batch_of(const Strands& strands, const IndependentParts& parts, std::siz
   part.parity = strands.parity;
   std::size_t vertices = 0;
   for (auto s = begin; s != end; ++s) vertices += strands.ends[*s] - strands.begin(*s);
-  part.points.reserve(vertices);
+  reserve_in_large_pages(part.points, vertices);
   for (auto s = begin; s != end; ++s) {
     part.points.insert(part.points.end(), strands.points.begin() + strands.begin(*s),
                        strands.points.begin() + strands.ends[*s]);
     part.close_strand(strands.change[*s], strands.group[*s], strands.simplicity[*s]);
   }
   return part;
+}
+
+Strands only_batch(Strands strands, const IndependentParts& parts, std::size_t batch) {
+  std::vector<bool> kept(strands.size(), false);
+  for (std::uint32_t i = batch == 0 ? 0 : parts.ends[batch - 1]; i < parts.ends[batch]; ++i)
+    kept[parts.strands[i]] = true;
+  std::uint32_t count = 0, size = 0, begin = 0;
+  for (std::size_t s = 0; s < kept.size(); ++s) {
+    const std::uint32_t end = strands.ends[s];
+    if (kept[s]) {
+      std::copy(strands.points.begin() + begin, strands.points.begin() + end, strands.points.begin() + size);
+      size += end - begin;
+      strands.ends[count] = size;
+      strands.change[count] = strands.change[s];
+      strands.group[count] = strands.group[s];
+      strands.simplicity[count++] = strands.simplicity[s];
+    }
+    begin = end;
+  }
+  strands.points.resize(size);
+  strands.ends.resize(count);
+  strands.change.resize(count);
+  strands.group.resize(count);
+  strands.simplicity.resize(count);
+  return strands;
 }
 
 }  // namespace oblast

@@ -38,4 +38,7 @@ IndependentParts independent_parts(const noding::Strands& strands, PartNeeds nee
 /// The strands of one batch.
 noding::Strands batch_of(const noding::Strands& strands, const IndependentParts& parts, std::size_t batch);
 
+/// The same for the caller's own strands, which are moved together instead of copied, in the order in which they stand.
+noding::Strands only_batch(noding::Strands strands, const IndependentParts& parts, std::size_t batch);
+
 }  // namespace oblast

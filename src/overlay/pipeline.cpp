@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <optional>
 
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
@@ -116,17 +117,47 @@ void add_parts(const std::vector<Statistics>& parts, double elapsed, Statistics&
     if (total > 0) statistics.seconds[i] += elapsed * seconds[i] / total;
 }
 
-PipelineResult overlay_parts(const noding::Strands& strands, const IndependentParts& parts, Operation operation,
+/// The batches, taken out of the strands as they are asked for. One that has most of the vertices is not copied.
+class Batches {
+ public:
+  Batches(noding::Strands strands, const IndependentParts& parts) : strands_(std::move(strands)), parts_(parts) {
+    const std::optional<std::size_t> large = find_large();
+    if (!large) return;
+    ready_.resize(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (i != *large) ready_[i] = batch_of(strands_, parts, i);
+    ready_[*large] = only_batch(std::move(strands_), parts, *large);
+  }
+
+  noding::Strands take(std::size_t i) { return ready_.empty() ? batch_of(strands_, parts_, i) : std::move(ready_[i]); }
+
+ private:
+  std::optional<std::size_t> find_large() const {
+    for (std::size_t i = 0, s = 0; i < parts_.size(); ++i) {
+      std::size_t vertices = 0;
+      for (; s < parts_.ends[i]; ++s) vertices += strands_.ends[parts_.strands[s]] - strands_.begin(parts_.strands[s]);
+      if (vertices > strands_.points.size() / 2) return i;
+    }
+    return {};
+  }
+
+  noding::Strands strands_;
+  const IndependentParts& parts_;
+  std::vector<noding::Strands> ready_;
+};
+
+PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& parts, Operation operation,
                              const Options& options, Control& control, Statistics& statistics) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Statistics> done(parts.size());
   std::vector<RegionSet> regions(parts.size());
   std::atomic<bool> touches = false;
   std::atomic<std::size_t> finished = 0;
+  Batches batches(std::move(strands), parts);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
     // A thread that waits inside a part must not begin another one there: waits would nest.
     tbb::this_task_arena::isolate([&] {
-      PipelineResult result = overlay_strands(batch_of(strands, parts, i), operation, options, control, done[i]);
+      PipelineResult result = overlay_strands(batches.take(i), operation, options, control, done[i]);
       regions[i] = std::move(result.regions);
       if (result.touches) touches = true;
     });
@@ -153,10 +184,10 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
   }
 
   // 2 to 6, part by part
-  if (parts.size() != 1) return overlay_parts(strands, parts, operation, options, control, statistics);
+  if (parts.size() != 1) return overlay_parts(std::move(strands), parts, operation, options, control, statistics);
   // One batch of all strands as they are, as in every small call, is not copied.
   if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
-    strands = batch_of(strands, parts, 0);
+    strands = only_batch(std::move(strands), parts, 0);
   return overlay_strands(std::move(strands), operation, options, control, statistics);
 }
 

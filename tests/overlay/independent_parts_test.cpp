@@ -209,5 +209,30 @@ TEST(IndependentParts, batchesHoldTheirStrandsUnchanged) {
   EXPECT_EQ(i, strands.size());
 }
 
+TEST(IndependentParts, aBatchMovedTogetherIsTheOneCopied) {
+  Strands strands = scattered(2500, 0.005, 7);
+  for (std::size_t s = 0; s < strands.size(); ++s) {
+    strands.change[s] = {static_cast<int>(s), 1};
+    strands.group[s] = static_cast<noding::Group>(s % 9);
+    if (s % 3 == 0) strands.simplicity[s] = noding::Simplicity::assumed;
+  }
+  strands.parity = {true, false};
+  IndependentParts parts = independent_parts(strands, {});
+  ASSERT_GE(parts.size(), 2u);
+  for (std::size_t b = 0; b < parts.size(); ++b) {
+    const Strands moved = only_batch(strands, parts, b);
+    // In the order in which they stand.
+    const auto first = parts.strands.begin() + (b == 0 ? 0 : parts.ends[b - 1]);
+    std::sort(first, parts.strands.begin() + parts.ends[b]);
+    const Strands copied = batch_of(strands, parts, b);
+    EXPECT_EQ(moved.points, copied.points);
+    EXPECT_EQ(moved.ends, copied.ends);
+    EXPECT_EQ(moved.change, copied.change);
+    EXPECT_EQ(moved.group, copied.group);
+    EXPECT_EQ(moved.simplicity, copied.simplicity);
+    EXPECT_TRUE(moved.parity.a && !moved.parity.b);
+  }
+}
+
 }  // namespace
 }  // namespace oblast
