@@ -1,9 +1,14 @@
 #include "noding/merge_identical_edges.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <bit>
+#include <utility>
 
+#include "memory/large_pages.h"
 #include "noding/point_hash.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -16,32 +21,29 @@ std::uint32_t edge_hash(std::uint64_t from, std::uint64_t to) { return static_ca
 /// How many places ahead of a walk what it will look up is asked for: the tables are larger than the nearest cache.
 constexpr std::uint32_t ahead = 16;
 
-/// Which hashes more than one edge has, up to some chance likeness: a table of few bits an edge.
-class SharedHashes {
+/// A set of hashes, up to some chance likeness: a few bits each.
+class HashBits {
  public:
-  explicit SharedHashes(std::size_t edges) : words_(std::bit_ceil(edges * bits_an_edge / 64 + 1)) {}
+  HashBits(std::size_t hashes, std::size_t bits_each) {
+    resize_in_large_pages(words_, std::bit_ceil(hashes * bits_each / 64 + 1));
+  }
 
   void prefetch(std::uint32_t hash) const { __builtin_prefetch(&words_[place(hash)], 1); }
-  /// Whether it was added before.
+  /// Whether it was there before.
   bool add(std::uint32_t hash) {
-    Word& word = words_[place(hash)];
-    const std::uint64_t repeated = word.seen & bit(hash);
-    word.seen |= bit(hash);
-    word.shared |= repeated;
-    return repeated != 0;
+    std::uint64_t& word = words_[place(hash)];
+    const std::uint64_t bit = std::uint64_t{1} << (hash & 63);
+    return (std::exchange(word, word | bit) & bit) != 0;
   }
-  bool shares(std::uint32_t hash) const { return (words_[place(hash)].shared & bit(hash)) != 0; }
+  bool has(std::uint32_t hash) const { return (words_[place(hash)] >> (hash & 63) & 1) != 0; }
+
+  /// Which of `shares` equal shares of the words a hash belongs to.
+  std::size_t share_of(std::uint32_t hash, std::size_t shares) const { return place(hash) * shares / words_.size(); }
 
  private:
-  static constexpr std::size_t bits_an_edge = 16;
-  struct Word {
-    std::uint64_t seen = 0, shared = 0;  ///< by hash: some edge has it, more than one has
-  };
-
   std::size_t place(std::uint32_t hash) const { return (hash >> 6) & (words_.size() - 1); }
-  static std::uint64_t bit(std::uint32_t hash) { return std::uint64_t{1} << (hash & 63); }
 
-  std::vector<Word> words_;
+  std::vector<std::uint64_t> words_;
 };
 
 /// Finds to every edge the first one with the same ends: an open-addressing table of edges.
@@ -83,40 +85,77 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
 
 }  // namespace
 
+namespace {
+
+/// By edge. What is between two strands gets a value too.
+std::vector<std::uint32_t> hash_edges(const std::vector<Point>& points) {
+  std::vector<std::uint32_t> hashes;
+  resize_in_large_pages(hashes, points.size(), none);
+  constexpr std::size_t edges_a_task = 1 << 15;
+  if (points.empty()) return hashes;
+  for_ranges(points.size() - 1, edges_a_task, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t from = hash(points[begin]);
+    for (std::size_t e = begin; e < end; ++e) {
+      const std::uint64_t to = hash(points[e + 1]);
+      hashes[e] = edge_hash(from, to);
+      from = to;
+    }
+  });
+  return hashes;
+}
+
+/// The hashes that another edge had already, with some that only seem to. Each core looks after its share of the table.
+std::vector<std::uint32_t> repeated_hashes(const Strands& strands, const std::vector<std::uint32_t>& hashes) {
+  constexpr std::size_t bits_an_edge = 16, edges_a_core = 1 << 16;
+  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t shares = std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(cores, 8));
+  HashBits seen(hashes.size(), bits_an_edge);
+  std::vector<std::vector<std::uint32_t>> repeated(shares);
+  for_ranges(shares, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t share = begin; share < end; ++share) {
+      const auto is_mine = [&](std::uint32_t e) { return shares == 1 || seen.share_of(hashes[e], shares) == share; };
+      for_edges(
+          strands,
+          [&](std::uint32_t e) {
+            if (is_mine(e)) seen.prefetch(hashes[e]);
+          },
+          [&](std::uint32_t e) {
+            if (is_mine(e) && seen.add(hashes[e])) repeated[share].push_back(hashes[e]);
+          });
+    }
+  });
+  for (std::size_t share = 1; share < shares; ++share)
+    repeated[0].insert(repeated[0].end(), repeated[share].begin(), repeated[share].end());
+  return std::move(repeated[0]);
+}
+
+}  // namespace
+
 IdenticalEdges identical_edges(const Strands& strands) {
-  const auto& points = strands.points;
   IdenticalEdges identical;
   // Hashes first, classes later: of each edge before it can be found by another one.
   std::vector<std::uint32_t>& class_of = identical.class_of;
-  class_of.resize(points.size(), none);
-  SharedHashes shared(points.size());
-  std::size_t repeated = 0;
-  std::uint64_t from = 0;
-  std::uint32_t vertex = none;  // the one that `from` is the hash of
-  for_edges(
-      strands,
-      [&](std::uint32_t e) {
-        if (vertex != e) from = hash(points[e]);
-        const std::uint64_t to = hash(points[e + 1]);
-        class_of[e] = edge_hash(from, to);
-        from = to;
-        vertex = e + 1;
-        shared.prefetch(class_of[e]);
-      },
-      [&](std::uint32_t e) { repeated += shared.add(class_of[e]); });
-  if (repeated == 0) return {};
+  class_of = hash_edges(strands.points);
+  const std::vector<std::uint32_t> repeated = repeated_hashes(strands, class_of);
+  if (repeated.empty()) return {};
 
-  // Of edges that share a hash with another one no more than half come first.
-  EdgeTable table(points, 2 * repeated);
+  // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
+  constexpr std::size_t bits_a_hash = 64;
+  HashBits shared(repeated.size(), bits_a_hash);
+  const auto other_bits = [](std::uint32_t hash) { return std::rotl(hash, 16); };
+  for (const std::uint32_t hash : repeated) shared.add(other_bits(hash));
+  std::size_t candidates = 0;
+  for_edges(
+      strands, [](std::uint32_t) {}, [&](std::uint32_t e) { candidates += shared.has(other_bits(class_of[e])); });
+  EdgeTable table(strands.points, candidates);
   for_edges(
       strands,
       [&](std::uint32_t e) {
-        if (!shared.shares(class_of[e])) return;
-        table.prefetch(class_of[e]);
+        if (shared.has(other_bits(class_of[e]))) table.prefetch(class_of[e]);
       },
       [&](std::uint32_t e) {
         const std::uint32_t hash = std::exchange(class_of[e], none);
-        if (!shared.shares(hash)) return;
+        if (!shared.has(other_bits(hash))) return;
         const std::uint32_t first = table.find_or_insert(e, hash);
         if (first == e) return;
         if (class_of[first] == none) {
@@ -125,6 +164,9 @@ IdenticalEdges identical_edges(const Strands& strands) {
         }
         class_of[e] = class_of[first];
       });
+  if (identical.empty()) return {};
+  // What is between two strands is no edge.
+  for (const std::uint32_t end : strands.ends) class_of[end - 1] = none;
   return identical;
 }
 
