@@ -2,6 +2,8 @@
 #include <oblast/hull.h>
 #include <oblast/overlay.h>
 
+#include <algorithm>
+
 #include "bytes_to_operands.h"
 #include "classics/cases.h"
 #include "classics/trial.h"
@@ -24,7 +26,7 @@ void compare(ClassicMethod method, const RegionSet& a, const RegionSet& b, Opera
   same.b = b;
   same.operation = operation;
   if (result != tests::expected(method, same))
-    fuzz::report({generators::Broken::engines_differ, operation, tests::name_of(method)}, input);
+    fuzz::report({generators::Broken::engines_differ, operation, tests::name_of(method)}, {{a, b}, input.request});
 }
 
 void compare_all(const RegionSet& a, const RegionSet& b, const fuzz::Input& input) {
@@ -53,6 +55,20 @@ void clip(const RegionSet& subject, const RegionSet& window, const fuzz::Input& 
     fuzz::report({generators::Broken::engines_differ, Operation::intersection, "clip window"}, input);
 }
 
+// The rectangle round `window`, given by its sides.
+void clip_to_box(const RegionSet& subject, const RegionSet& window, const fuzz::Input& input) {
+  if (window.empty()) return;
+  Point low = window.points[0], high = low;
+  for (const Point& p : window.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  if (low.x == high.x || low.y == high.y) return;
+  const RegionSet box{{low, {high.x, low.y}, high, {low.x, high.y}}, {4}, {1}};
+  if (ClipWindow(low.x, low.y, high.x, high.y).clip(subject) != overlay(subject, box, Operation::intersection))
+    fuzz::report({generators::Broken::engines_differ, Operation::intersection, "clip window of a box"}, input);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -67,5 +83,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   compare_all(first_contour(united_a), first_contour(united_b), input);
   clip(united_a, hull_b, input);
   clip(a, hull_b, input);
+  clip_to_box(a, hull_b, input);
   return 0;
 }

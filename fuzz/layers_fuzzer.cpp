@@ -14,7 +14,19 @@ RegionSet alone(std::span<const Point> contour) {
   return {{contour.begin(), contour.end()}, {static_cast<std::uint32_t>(contour.size())}, {1}};
 }
 
+bool boxes_overlap(std::span<const Point> p, std::span<const Point> q) {
+  if (p.empty() || q.empty()) return false;
+  const auto apart = [&](double Point::*coordinate) {
+    const auto less = [&](const Point& i, const Point& j) { return i.*coordinate < j.*coordinate; };
+    const auto [p_low, p_high] = std::minmax_element(p.begin(), p.end(), less);
+    const auto [q_low, q_high] = std::minmax_element(q.begin(), q.end(), less);
+    return (*p_high).*coordinate <= (*q_low).*coordinate || (*q_high).*coordinate <= (*p_low).*coordinate;
+  };
+  return !apart(&Point::x) && !apart(&Point::y);
+}
+
 bool overlap(std::span<const Point> p, std::span<const Point> q) {
+  if (!boxes_overlap(p, q)) return false;
   const RegionSet one = alone(p), other = alone(q);
   bool found = false;
   verify::for_each_trapezoid({{one, FillRule::even_odd()}, {other, FillRule::even_odd()}},

@@ -91,6 +91,17 @@ TEST(Classics, OrientationMayBeEitherWay) {
   expect_like_overlay(cw, ccw, all);
 }
 
+TEST(Classics, SliverWhoseRoundedAreaHasTheOtherSign) {
+  // Counter-clockwise by half a unit in the last place; a fuzzer took its rounded area for its direction.
+  const RegionSet sliver = one_contour({{0.1, 0.1}, {0.2, 0.3}, {0.8, 1.5}});
+  EXPECT_LT(signed_area(sliver), 0);
+  for (const Operation operation : operations) {
+    const ClassicCase c{sliver, rectangle(0, 0, 1, 1), operation};
+    EXPECT_EQ(weiler_atherton(c.a, c.b, operation), expected(ClassicMethod::weiler_atherton, c));
+    EXPECT_FALSE(weiler_atherton(c.a, c.b, operation).empty());
+  }
+}
+
 TEST(Classics, RandomCasesInsideAndOutside) {
   for (const ClassicMethod method : all_methods) {
     const TrialCount count = run_trial(method, 3000, 500, 42);
