@@ -25,6 +25,7 @@ sanitize: install  ## the tests under the address and undefined-behaviour saniti
 	@cmake --preset sanitize -DOBLAST_BUILD_PROGRAM=ON && cmake --build --preset sanitize && tools/test sanitize
 
 thread: install  ## the tests under the thread sanitizer
+	@tools/instrument-tbb
 	@cmake --preset thread && cmake --build --preset thread && tools/test thread
 
 format:  ## rewrite the formatting of every C++ file
