@@ -4,7 +4,6 @@
 //   F bytes...             the file itself; F below 128 chooses the format
 //   F P C (OOO V)...       a file that oblast wrote, changed: of the files that belong to it the P-th, C bytes cut off
 //                          its end, and at each offset O (three bytes) the value V
-#include <fuzzer/FuzzedDataProvider.h>
 #include <oblast/overlay.h>
 
 #include <algorithm>
@@ -49,7 +48,10 @@ FileSet written(const std::string& extension) {
       R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],)"
       R"(UNIT["degree",0.0174532925199433],AUTHORITY["EPSG","4326"]])";
   io::write(path_of(extension), regions, options);
-  FileSet files{{extension, bytes_of(path_of(extension))}};
+  const std::string paths[] = {path_of(extension)};
+  if (io::read(paths, {.threads = 1}).regions != regions)
+    std::abort();  // changes to a file that cannot be read try little
+  FileSet files{{extension, bytes_of(paths[0])}};
   for (const auto& entry : std::filesystem::directory_iterator(fuzz::scratch_folder())) {
     const std::string other = entry.path().extension().string();
     if (other != extension) files.push_back({other, bytes_of(entry.path())});
@@ -59,24 +61,24 @@ FileSet written(const std::string& extension) {
   return files;
 }
 
-FileSet changed(FuzzedDataProvider& bytes, std::uint8_t format) {
+FileSet changed(std::span<const std::uint8_t> bytes) {
   static const std::array originals = {written(".shp"), written(".fgb"), written(".gpkg"), written(".geojson")};
-  FileSet files = originals[format % originals.size()];
-  std::string& content = files[bytes.ConsumeIntegral<std::uint8_t>() % files.size()].bytes;
-  const std::uint8_t cut = bytes.ConsumeIntegral<std::uint8_t>();
-  content.resize(content.size() - std::min<std::size_t>(cut, content.size()));
-  while (bytes.remaining_bytes() >= 4 && !content.empty()) {
-    const auto offset = bytes.ConsumeIntegralInRange<std::uint32_t>(0, 0xffffff);
-    content[offset % content.size()] = bytes.ConsumeIntegral<char>();
+  FileSet files = originals[bytes[0] % originals.size()];
+  if (bytes.size() < 3) return files;
+  std::string& content = files[bytes[1] % files.size()].bytes;
+  content.resize(content.size() - std::min<std::size_t>(bytes[2], content.size()));
+  if (content.empty()) return files;
+  for (auto change = bytes.subspan(3); change.size() >= 4; change = change.subspan(4)) {
+    const std::size_t offset = change[0] * 0x10000u + change[1] * 0x100u + change[2];
+    content[offset % content.size()] = static_cast<char>(change[3]);
   }
   return files;
 }
 
-FileSet files_from(const std::uint8_t* data, std::size_t size) {
+FileSet files_from(std::span<const std::uint8_t> bytes) {
   constexpr const char* extensions[] = {".geojson", ".topojson", ".fgb", ".gpkg", ".shp", ".wkt"};
-  FuzzedDataProvider bytes(data + 1, size - 1);
-  if (data[0] >= 128) return changed(bytes, data[0]);
-  return {{extensions[data[0] % std::size(extensions)], bytes.ConsumeRemainingBytesAsString()}};
+  if (bytes[0] >= 128) return changed(bytes);
+  return {{extensions[bytes[0] % std::size(extensions)], std::string(bytes.begin() + 1, bytes.end())}};
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ FileSet files_from(const std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t most_vertices = 2000;  // so that one input takes milliseconds
   if (size == 0) return 0;
-  const FileSet files = files_from(data, size);
+  const FileSet files = files_from({data, size});
   for (const NamedFile& file : files) std::ofstream(path_of(file.extension), std::ios::binary) << file.bytes;
   try {
     const std::string paths[] = {path_of(files[0].extension)};

@@ -95,11 +95,12 @@ TEST(Classics, SliverWhoseRoundedAreaHasTheOtherSign) {
   // Counter-clockwise by half a unit in the last place; a fuzzer took its rounded area for its direction.
   const RegionSet sliver = one_contour({{0.1, 0.1}, {0.2, 0.3}, {0.8, 1.5}});
   EXPECT_LT(signed_area(sliver), 0);
-  for (const Operation operation : operations) {
-    const ClassicCase c{sliver, rectangle(0, 0, 1, 1), operation};
-    EXPECT_EQ(weiler_atherton(c.a, c.b, operation), expected(ClassicMethod::weiler_atherton, c));
-    EXPECT_FALSE(weiler_atherton(c.a, c.b, operation).empty());
-  }
+  for (const RegionSet& other : {rectangle(0, 0, 1, 1), rectangle(5, 5, 6, 6)})
+    for (const Operation operation : operations) {
+      const ClassicCase c{sliver, other, operation};
+      EXPECT_EQ(weiler_atherton(c.a, c.b, operation), expected(ClassicMethod::weiler_atherton, c));
+    }
+  EXPECT_FALSE(weiler_atherton(sliver, rectangle(0, 0, 1, 1), Operation::intersection).empty());
 }
 
 TEST(Classics, RandomCasesInsideAndOutside) {
