@@ -2,10 +2,9 @@
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 
-#include <cstring>
-
 #include "generators/hostile.h"
 #include "generators/trial.h"
+#include "support/same_bits.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {
@@ -14,18 +13,13 @@ namespace {
 constexpr Operation operations[] = {Operation::intersection, Operation::unite, Operation::difference,
                                     Operation::symmetric_difference};
 
-/// Bit by bit: -0.0 is not 0.0 here.
-bool same_bytes(const RegionSet& r, const RegionSet& s) {
-  return r == s && std::memcmp(r.points.data(), s.points.data(), r.points.size() * sizeof(Point)) == 0;
-}
-
 void expect_agreement(const generators::Operands& operands, Options options, const std::string& where) {
   for (const Operation operation : operations) {
     options.engine = Engine::leonov_nikitin;
     const RegionSet expected = overlay(operands.a, operands.b, operation, options);
     options.engine = Engine::skvortsov;
     const RegionSet found = overlay(operands.a, operands.b, operation, options);
-    ASSERT_TRUE(same_bytes(found, expected)) << where << " operation " << static_cast<int>(operation);
+    ASSERT_TRUE(same_bits(found, expected)) << where << " operation " << static_cast<int>(operation);
   }
 }
 

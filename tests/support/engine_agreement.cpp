@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <vector>
 
 #include "engines/skvortsov/marked_mesh.h"
@@ -14,6 +13,7 @@
 #include "overlay/collect.h"
 #include "overlay/node_strands.h"
 #include "support/check_mesh.h"
+#include "support/same_bits.h"
 
 namespace oblast::testing {
 namespace {
@@ -58,10 +58,7 @@ struct Answer {
   std::optional<ErrorCode> error;
 };
 
-bool same_bytes(const Answer& p, const Answer& q) {
-  return p.error == q.error && p.regions == q.regions &&
-         std::memcmp(p.regions.points.data(), q.regions.points.data(), p.regions.points.size() * sizeof(Point)) == 0;
-}
+bool same_bytes(const Answer& p, const Answer& q) { return p.error == q.error && same_bits(p.regions, q.regions); }
 
 Answer ask(const Operands& operands, const Question& question, Engine engine) {
   Options options = question.options;
