@@ -18,7 +18,7 @@ def groups(rows):
     return result
 
 
-def good(rows, prefix=""):
+def good(rows, prefix="", verdicts=GOOD):
     """Rows of peers whose result is good."""
     return [
         r
@@ -26,13 +26,18 @@ def good(rows, prefix=""):
         if r["peer"].startswith(prefix)
         and not r["peer"].startswith("oblast")
         and "seconds" in r
-        and r.get("verdict") in GOOD
+        and r.get("verdict") in verdicts
     ]
 
 
 def best_peer(rows, prefix=""):
-    """The fastest peer with a good result, and None where there is none."""
-    return min(good(rows, prefix), key=lambda r: r["seconds"], default=None)
+    """The fastest peer with a good result in polygons, as ours is; None where there is none."""
+    return min(good(rows, prefix, (*JUDGED_GOOD, "not judged")), key=lambda r: r["seconds"], default=None)
+
+
+def best_of_contours(rows):
+    """The fastest that leaves it to others which contour is a hole of which."""
+    return min(good(rows, verdicts=("contours only",)), key=lambda r: r["seconds"], default=None)
 
 
 def ours(rows):
@@ -106,8 +111,8 @@ def summary_table(report):
     columns = ["workload", "edges"]
     for threads in counts:
         columns += [f"oblast, {threads} thread{'s' * (threads > 1)}", "best peer", "/ ours"]
-    columns += ["GEOS / ours", "Clipper2 / ours", "peak MiB", "leanest peer"]
-    lines = ["| " + " | ".join(columns) + " |", "|---|--:|" + "--:|---|--:|" * len(counts) + "--:|--:|--:|---|"]
+    columns += ["GEOS / ours", "Clipper2 / ours", "loose contours / ours", "peak MiB", "leanest peer"]
+    lines = ["| " + " | ".join(columns) + " |", "|---|--:|" + "--:|---|--:|" * len(counts) + "--:|--:|--:|--:|---|"]
     for (workload, operation), measured in by_threads.items():
         name = workload if operation == "default" else f"{workload}, {operation}"
         cells = [name, f"{next(iter(measured.values()))[0].get('edges', 0):,}"]
@@ -115,15 +120,19 @@ def summary_table(report):
             rows = measured.get(threads, [])
             reference, best = ours(rows), best_peer(rows)
             cells.append(duration(reference["seconds"]) if reference else "failed" if rows else "")
-            cells.append(f"{named(best)} {duration(best['seconds'])}" if best else "none" if rows else "")
+            cells.append(f"{best['peer']} {duration(best['seconds'])}" if best else "none" if rows else "")
             cells.append(ratio(best) if best else "")
         rows = measured[min(measured)]  # these peers know no threads
         leanest = min(good(rows), key=lambda r: r["peak_kib"], default=None)
-        cells += [against(rows, "geos"), against(rows, "clipper2")]
+        loose = best_of_contours(rows)
+        cells += [against(rows, "geos"), against(rows, "clipper2"), f"{loose['peer']} {ratio(loose)}" if loose else "-"]
         cells.append(f"{ours(rows)['peak_kib'] / 1024:.0f}" if ours(rows) else "")
         cells.append(f"{named(leanest)} {leanest['peak_kib'] / 1024:.0f}" if leanest else "")
         lines.append("| " + " | ".join(cells) + " |")
-    notes = "\\*: contours that were not assigned to polygons, and are not judged but by their area. " + faults(report)
+    notes = (
+        "Loose contours (\\*) were not assigned to polygons, and are not judged but by their area: no peer's best. "
+        + faults(report)
+    )
     return "\n".join([provenance(report), "", *lines, "", notes])
 
 
