@@ -1,6 +1,8 @@
 // The input edges that a result is made of: exact questions of distance and origin.
 #include "verify/sources.h"
 
+#include <oblast/domain.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,8 @@ Sources::Sources(const RegionView& a, const RegionView& b, const Options& option
   double largest = 0;
   for (const Point& p : vertices_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   std::sort(vertices_.begin(), vertices_.end(), lexicographically_less);
-  unit_ = std::nextafter(largest, HUGE_VAL) - largest;
+  // A crossing is put into the domain, which moves it by up to half its smallest magnitude.
+  unit_ = std::max(std::nextafter(largest, HUGE_VAL) - largest, domain_smallest);
   bound_ = bound_ulps * unit_;
   squared_bound_ = Rational(bound_) * Rational(bound_);
 }

@@ -64,12 +64,13 @@ struct Statistics {
   std::uint64_t output_polygons = 0;
   std::uint64_t output_contours = 0;
   std::uint64_t output_vertices = 0;
-  std::uint64_t resolved_polygons = 0;   ///< polygons whose own rings meet, resolved by themselves first
-  std::uint64_t intersections = 0;       ///< points at which noding cut an edge, each counted once
-  std::uint64_t rounds = 0;              ///< rounding rounds, the last one (which finds nothing) included
-  double largest_displacement = 0;       ///< largest distance of a cut point from its input edge, coordinate units
-  double largest_displacement_ulps = 0;  ///< the same in units in the last place of the largest coordinate
-  double seconds[stage_count] = {};      ///< wall time by stage
+  std::uint64_t resolved_polygons = 0;  ///< polygons whose own rings meet, resolved by themselves first
+  std::uint64_t intersections = 0;      ///< points at which noding cut an edge, each counted once
+  std::uint64_t rounds = 0;             ///< rounding rounds, the last one (which finds nothing) included
+  double largest_displacement = 0;      ///< largest distance of a cut point from its input edge, coordinate units
+  /// The same in units in the last place of the largest coordinate, or of 2^-300 where these are smaller (domain.h).
+  double largest_displacement_ulps = 0;
+  double seconds[stage_count] = {};  ///< wall time by stage
 };
 
 /// Asked between pieces of work with the stage and the fraction of it done (0 to 1). May be called

@@ -1,4 +1,7 @@
 // The unit in the last place of the largest coordinate: what displacements and clearances are measured in.
+//
+// A crossing is put into the domain, too: one nearer to an axis than its smallest magnitude moves by up to half of
+// that. So near the lower end of the domain this magnitude is the unit.
 #pragma once
 
 #include <oblast/domain.h>
@@ -16,9 +19,9 @@ inline double largest_coordinate(std::span<const Point> points) {
   return largest;
 }
 
-/// Of a coordinate of the domain; 0 counts as the smallest.
+/// Of a coordinate of the domain; a crossing moves by no more than half of it in either coordinate.
 inline double ulp_of(double coordinate) {
-  return std::ldexp(1.0, std::ilogb(std::max(coordinate, domain_smallest)) - 52);
+  return std::max(std::ldexp(1.0, std::ilogb(std::max(coordinate, domain_smallest)) - 52), domain_smallest);
 }
 
 }  // namespace oblast::noding

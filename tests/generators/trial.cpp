@@ -1,6 +1,7 @@
 // One hostile case, all four operations, every promise that can be checked quickly.
 #include "generators/trial.h"
 
+#include <oblast/domain.h>
 #include <oblast/overlay.h>
 
 #include <algorithm>
@@ -73,14 +74,15 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
 }
 
 // More than all edges together can sweep over when each moves by a few units in the last place of the largest
-// coordinate: an edge is at most about three times as long as that coordinate is large.
+// coordinate, or by the smallest magnitude of the domain: an edge is at most about three times as long as that
+// coordinate is large.
 double area_tolerance(const Operands& operands) {
   double largest = 0;
   for (const RegionSet* soup : {&operands.a, &operands.b}) {
     for (const Point& p : soup->points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
   const double edges = static_cast<double>(operands.a.points.size() + operands.b.points.size());
-  return 0x1p-48 * largest * largest * (edges + 8);
+  return 16 * std::max(0x1p-52 * largest, domain_smallest) * largest * (edges + 8);
 }
 
 std::optional<Failure> check_areas(const std::array<RegionSet, 4>& results, const Operands& operands) {

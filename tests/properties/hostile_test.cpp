@@ -57,6 +57,21 @@ TEST_P(Hostile, tinyCasesAreWhatExactArithmeticSays) { run_cases(GetParam(), 40,
 // Large enough for the searches to split space, and for many edges to straddle the splits.
 TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 4, GetParam().larger / 2, GetParam().larger); }
 
+// Crossings near an axis are moved by up to 2^-301, far more than a unit in the last place of such coordinates:
+// clearance that did not count this left edges that crossed.
+TEST(HostileCases, magnitudesJustAboveTheLowerEndOfTheDomain) {
+  const auto magnitudes = std::find_if(hostile_generators().begin(), hostile_generators().end(),
+                                       [](const auto& g) { return std::string(g.name) == "magnitudes"; });
+  for (const auto& [seed, size] : {std::pair<std::uint64_t, int>{55588, 50}, {43714, 60}}) {
+    const Request request = draw_request(seed);
+    const Operands operands = magnitudes->make(seed, size);
+    Figures figures;
+    const auto failure = run_trial(operands, request, figures);
+    EXPECT_FALSE(failure) << describe(operands, request, seed, *failure);
+    EXPECT_LE(figures.displacement_ulps, 4);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Generators, Hostile,
                          testing::ValuesIn(hostile_generators().begin(), hostile_generators().end()),
                          [](const auto& tested) { return std::string(tested.param.name); });
