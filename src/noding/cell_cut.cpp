@@ -14,8 +14,10 @@ constexpr std::size_t edges_tried = 5;
 constexpr std::uint32_t shortest_divided = 3;  // edges of a run; to look at the points of a shorter one gains nothing
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double low(const Box& box, CutKind kind) { return low(box, kind == CutKind::at_x ? Axis::x : Axis::y); }
-double high(const Box& box, CutKind kind) { return high(box, kind == CutKind::at_x ? Axis::x : Axis::y); }
+/// REQUIRES: at_x or at_y.
+Axis axis_of(CutKind kind) { return kind == CutKind::at_x ? Axis::x : Axis::y; }
+double low(const Box& box, CutKind kind) { return low(box, axis_of(kind)); }
+double high(const Box& box, CutKind kind) { return high(box, axis_of(kind)); }
 
 bool reaches_left(double low, const CellCut& cut) { return low - cut.margin < cut.at; }
 bool reaches_right(double high, const CellCut& cut) { return high + cut.margin >= cut.at; }
@@ -196,7 +198,7 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   const Sample sample(entries);
   // Flat edges are copied until they cross a cell, which is soon.
   CellCut best = best_axis_cut(sample, margin, [&](const Entry& e, const CellCut& cut) {
-    return is_flat(e, cut.kind == CutKind::at_x ? Axis::x : Axis::y, cell, entries.size()) ? 0U : 1U;
+    return is_flat(e, axis_of(cut.kind), cell, entries.size()) ? 0U : 1U;
   });
   constexpr double good = 1.15, worth_parting = 1.3, acceptable = 1.5;
   const auto try_edges = [&](bool parts_touching) {

@@ -83,10 +83,6 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// By edge. What is between two strands gets a value too.
 std::vector<std::uint32_t> hash_edges(const std::vector<Point>& points) {
   std::vector<std::uint32_t> hashes;

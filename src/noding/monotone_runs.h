@@ -18,6 +18,10 @@ struct Box {
   static Box of(const Point& p, const Point& q) {
     return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
   }
+  Box joined(const Box& o) const {
+    return {std::min(x0, o.x0), std::min(y0, o.y0), std::max(x1, o.x1), std::max(y1, o.y1)};
+  }
+  Box joined(const Point& p) const { return joined(of(p, p)); }
   /// Without a branch: the outcome is hard to foresee.
   bool meets(const Box& o) const {
     return static_cast<bool>(static_cast<int>(x0 <= o.x1) & static_cast<int>(o.x0 <= x1) &

@@ -109,9 +109,7 @@ class Finder {
     }
     cell.clipped = true;
     Box around{infinity, infinity, -infinity, -infinity};
-    for (const Entry& e : tail(entries, begin))
-      around = {std::min(around.x0, e.box.x0), std::min(around.y0, e.box.y0), std::max(around.x1, e.box.x1),
-                std::max(around.y1, e.box.y1)};
+    for (const Entry& e : tail(entries, begin)) around = around.joined(e.box);
     cell.box = {std::max(cell.box.x0, around.x0), std::max(cell.box.y0, around.y0), std::min(cell.box.x1, around.x1),
                 std::min(cell.box.y1, around.y1)};
   }

@@ -12,10 +12,6 @@ namespace {
 
 using exact::orientation;
 
-Box box_of_both(const Box& p, const Box& q) {
-  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
-}
-
 Box common_box(const Box& p, const Box& q) {
   return {std::max(p.x0, q.x0), std::max(p.y0, q.y0), std::min(p.x1, q.x1), std::min(p.y1, q.y1)};
 }
@@ -36,10 +32,6 @@ bool advances(const Point& a, const Point& b, const Point& direction) {
   const double x = (b.x - a.x) * direction.x, y = (b.y - a.y) * direction.y;
   constexpr double safe = 0x1p-40;
   return x + y > safe * (std::fabs(x) + std::fabs(y));
-}
-
-void extend(Box& box, const Point& p) {
-  box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
 }
 
 constexpr std::uint32_t longest_leaf = 8;
@@ -73,7 +65,7 @@ void RingTree::add_leaves(std::uint32_t ring, std::uint32_t begin, std::uint32_t
     if (advances(from, points_[past], direction)) {
       const std::uint32_t most = std::min(first + longest_leaf, last);
       for (; past < most && advances(points_[past], points_[past + 1], direction); ++past)
-        extend(box, points_[past + 1]);
+        box = box.joined(points_[past + 1]);
     }
     leaves_.push_back({first, past, ring});
     boxes_.push_back(box);
@@ -84,7 +76,7 @@ void RingTree::add_levels() {
   level_begins_.assign({0, static_cast<std::uint32_t>(boxes_.size())});
   for (std::uint32_t level = 0; size(level) > 1; ++level) {
     const std::uint32_t begin = level_begins_[level], end = level_begins_[level + 1];
-    for (std::uint32_t i = begin; i + 1 < end; i += 2) boxes_.push_back(box_of_both(boxes_[i], boxes_[i + 1]));
+    for (std::uint32_t i = begin; i + 1 < end; i += 2) boxes_.push_back(boxes_[i].joined(boxes_[i + 1]));
     if ((end - begin) % 2 != 0) boxes_.push_back(Box(boxes_[end - 1]));
     level_begins_.push_back(static_cast<std::uint32_t>(boxes_.size()));
   }

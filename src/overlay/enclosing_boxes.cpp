@@ -50,8 +50,6 @@ class PointGrid {
   std::vector<std::uint32_t> points_;  ///< by cell: their indices
 };
 
-bool holds(const Box& box, const Point& p) { return box.x0 <= p.x && p.x <= box.x1 && box.y0 <= p.y && p.y <= box.y1; }
-
 }  // namespace
 
 Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points) {
@@ -59,9 +57,7 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
   Enclosure found{std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
   if (count < 2) return found;
   Box around = boxes[0];
-  for (const Box& b : boxes)
-    around = {std::min(around.x0, b.x0), std::min(around.y0, b.y0), std::max(around.x1, b.x1),
-              std::max(around.y1, b.y1)};
+  for (const Box& b : boxes) around = around.joined(b);
   const PointGrid grid(around, points);
   std::size_t looks = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -73,7 +69,7 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
       if (looks > looks_by_box * count)
         return {std::vector<std::uint8_t>(count, 1), std::vector<std::uint8_t>(count, 1)};
       for (const std::uint32_t j : near) {
-        if (j == i || !holds(box, points[j])) continue;
+        if (j == i || !box.meets(Box::of(points[j], points[j]))) continue;
         found.encloses[i] = 1;
         found.enclosed[j] = 1;
       }

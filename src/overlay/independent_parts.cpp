@@ -31,8 +31,7 @@ std::vector<Entry> boxes_of(const Strands& strands) {
     const std::uint32_t begin = strands.begin(s);
     Box box = Box::of(strands.points[begin], strands.points[begin]);
     for (std::uint32_t v = begin + 1; v < strands.ends[s]; ++v) {
-      const Point& p = strands.points[v];
-      box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+      box = box.joined(strands.points[v]);
     }
     boxes[s] = {box, s, s + 1, noding::any_group};
   }

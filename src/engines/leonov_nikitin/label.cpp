@@ -12,7 +12,6 @@
 #include "engines/leonov_nikitin/label.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
@@ -42,14 +41,10 @@ Extent extent_of(const std::vector<Point>& points, const Chain& chain) {
   Extent e{Box::of(points[chain.first], points[chain.first]), chain.first};
   for (std::uint32_t v = chain.first + 1; v <= chain.last; ++v) {
     const Point& p = points[v];
-    e.box = {std::min(e.box.x0, p.x), std::min(e.box.y0, p.y), std::max(e.box.x1, p.x), std::max(e.box.y1, p.y)};
+    e.box = e.box.joined(p);
     if (lexicographically_less(p, points[e.smallest])) e.smallest = v;
   }
   return e;
-}
-
-Box join(const Box& p, const Box& q) {
-  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
 }
 
 class Labelling {
@@ -85,7 +80,7 @@ class Labelling {
       }
       const std::uint32_t i = component_of_[c] = labels.component[chain.from];
       Component& component = components_[i];
-      boxes_[i] = component.chain == none ? extent.box : join(boxes_[i], extent.box);
+      boxes_[i] = component.chain == none ? extent.box : boxes_[i].joined(extent.box);
       if (component.chain == none ||
           lexicographically_less(graph_.point(extent.smallest), graph_.point(component.vertex)))
         component = {c, extent.smallest};
