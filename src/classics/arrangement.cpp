@@ -119,7 +119,8 @@ Arrangement arrange(const std::vector<Ring>& a, bool a_touches, const std::vecto
   append(a, {1, 0}, a_touches ? noding::any_group : 1, strands);
   append(b, {0, 1}, b_touches ? noding::any_group : 2, strands);
   const auto cuts = meetings_of(strands);
-  Strands noded = cuts.empty() ? strands : noding::insert_cuts(strands, cuts);
+  Strands noded = strands;
+  if (!cuts.empty()) noding::insert_cuts(noded, cuts);
   flag_ends(noded);
   Arrangement arrangement;
   arrangement.graph = build_chain_graph(std::move(noded));

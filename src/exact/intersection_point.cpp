@@ -14,59 +14,68 @@
 namespace oblast::exact {
 namespace {
 
-/// A double-double with a bound on its absolute error.
-struct Bounded {
+/// A double-double.
+struct Pair {
   double high;
   double low;
-  double error;
+
+  double size() const { return std::fabs(high); }
 };
 
-// Relative error of one double-double operation, generously: the true constants are below 8 * 2^-106.
+// Relative error of one operation below, generously: the true constants are below 8 * 2^-106. Where terms are
+// subtracted it is relative to the sum of their sizes.
 constexpr double unit = 0x1p-100;
 
-Bounded exact_difference(double a, double b) {
-  Bounded r{0, 0, 0};
+Pair exact_difference(double a, double b) {
+  Pair r;
   two_diff(a, b, r.high, r.low);
   return r;
 }
 
-Bounded product(const Bounded& p, const Bounded& q) {
-  double x, y, high, low;
+Pair product(const Pair& p, const Pair& q) {
+  double x, y;
   two_product(p.high, q.high, x, y);
   y += p.high * q.low + p.low * q.high;
-  fast_two_sum(x, y, high, low);
-  const double p_size = std::fabs(p.high), q_size = std::fabs(q.high);
-  return {high, low, (p.error * q_size + q.error * p_size + p.error * q.error) * 1.01 + unit * (p_size * q_size)};
+  Pair r;
+  fast_two_sum(x, y, r.high, r.low);
+  return r;
 }
 
-Bounded difference_of(const Bounded& p, const Bounded& q) {
-  double x, y, high, low;
-  two_diff(p.high, q.high, x, y);
-  y += p.low - q.low;
-  fast_two_sum(x, y, high, low);
-  return {high, low, (p.error + q.error) * 1.01 + unit * (std::fabs(p.high) + std::fabs(q.high))};
+/// p x q, and a bound on its absolute error.
+struct CrossProduct {
+  Pair value;
+  double error;
+};
+
+CrossProduct cross_product(const Pair& px, const Pair& py, const Pair& qx, const Pair& qy) {
+  const Pair left = product(px, qy), right = product(py, qx);
+  double x, y;
+  two_diff(left.high, right.high, x, y);
+  y += left.low - right.low;
+  CrossProduct r;
+  fast_two_sum(x, y, r.value.high, r.value.low);
+  r.error = 3 * unit * (left.size() + right.size());
+  return r;
 }
 
-/// REQUIRES: q.error well below |q.high|.
-Bounded quotient(const Bounded& p, const Bounded& q) {
+Pair quotient(const Pair& p, const Pair& q) {
   const double first = p.high / q.high;
   double x, y;
   two_product(first, q.high, x, y);
   const double rest = ((p.high - x) - y + p.low - first * q.low) / q.high;
-  double high, low;
-  fast_two_sum(first, rest, high, low);
-  const double size = std::fabs(first), denominator = std::fabs(q.high) - q.error;
-  return {high, low, ((p.error + size * q.error) / denominator) * 1.01 + unit * size};
+  Pair r;
+  fast_two_sum(first, rest, r.high, r.low);
+  return r;
 }
 
-/// a + t * r rounded to nearest; NaN when the bound does not settle it.
-double rounded(double a, const Bounded& t, const Bounded& r) {
-  const Bounded step = product(t, r);
+/// a + t * r rounded to nearest; NaN when the bound on the error of t does not settle it.
+double rounded(double a, const Pair& t, double t_error, const Pair& r) {
+  const Pair step = product(t, r);
   double x, y, high, low;
   two_sum(a, step.high, x, y);
   y += step.low;
   fast_two_sum(x, y, high, low);
-  const double error = step.error * 1.01 + unit * (std::fabs(a) + std::fabs(step.high));
+  const double error = 1.01 * t_error * r.size() + 3 * unit * (std::fabs(a) + step.size());
   if (high + (low + error) == high + (low - error) && (high == 0 || std::fabs(high) > domain_smallest)) return high;
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -133,13 +142,16 @@ Point by_expansions(const Point& a, const Point& b, const Point& c, const Point&
 }  // namespace
 
 Point intersection_point(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Bounded rx = exact_difference(b.x, a.x), ry = exact_difference(b.y, a.y);
-  const Bounded sx = exact_difference(d.x, c.x), sy = exact_difference(d.y, c.y);
-  const Bounded wx = exact_difference(c.x, a.x), wy = exact_difference(c.y, a.y);
-  const Bounded denominator = difference_of(product(rx, sy), product(ry, sx));
-  if (std::fabs(denominator.high) > 1e6 * denominator.error) {
-    const Bounded t = quotient(difference_of(product(wx, sy), product(wy, sx)), denominator);
-    const Point p{rounded(a.x, t, rx), rounded(a.y, t, ry)};
+  const Pair rx = exact_difference(b.x, a.x), ry = exact_difference(b.y, a.y);
+  const Pair sx = exact_difference(d.x, c.x), sy = exact_difference(d.y, c.y);
+  const Pair wx = exact_difference(c.x, a.x), wy = exact_difference(c.y, a.y);
+  const CrossProduct denominator = cross_product(rx, ry, sx, sy);
+  if (denominator.value.size() > 1e6 * denominator.error) {
+    const CrossProduct numerator = cross_product(wx, wy, sx, sy);
+    const Pair t = quotient(numerator.value, denominator.value);
+    const double t_error =
+        1.01 * (numerator.error + t.size() * denominator.error) / denominator.value.size() + unit * t.size();
+    const Point p{rounded(a.x, t, t_error, rx), rounded(a.y, t, t_error, ry)};
     if (p.x == p.x && p.y == p.y) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
   }
   return by_expansions(a, b, c, d);

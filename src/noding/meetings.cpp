@@ -14,6 +14,7 @@
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
+#include "memory/large_pages.h"
 #include "noding/clearance.h"
 #include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
@@ -375,11 +376,13 @@ EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* 
 std::vector<EdgeCut> arrange(const Strands& strands, std::span<const Found> found, Settling settling,
                              Clearance* clearance) {
   const auto& points = strands.points;
-  std::vector<std::uint32_t> ends(points.size() + 1, 0);  // by edge: of its cuts in `cuts`
+  std::vector<std::uint32_t> ends;  // by edge: of its cuts in `cuts`
+  resize_in_large_pages(ends, points.size() + 1);
   for (const auto& part : found)
     for (const EdgeCut& cut : part.cuts) ++ends[cut.edge + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<EdgeCut> cuts(ends.back());
+  std::vector<EdgeCut> cuts;
+  resize_in_large_pages(cuts, ends.back());
   // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
   for (const auto& part : found)
     for (const EdgeCut& cut : part.cuts) cuts[ends[cut.edge]++] = cut;

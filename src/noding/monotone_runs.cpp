@@ -1,5 +1,7 @@
 #include "noding/monotone_runs.h"
 
+#include "memory/large_pages.h"
+
 namespace oblast::noding {
 namespace {
 
@@ -18,7 +20,7 @@ bool turns_back(unsigned headings) { return (headings & headings >> 1 & 0b0101) 
 
 std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
   std::vector<Run> runs;
-  runs.reserve(strands.points.size() / 2 + 16);
+  reserve_in_large_pages(runs, strands.points.size() / 2 + 16);
   const auto& points = strands.points;
   const auto group_of = [&](std::size_t strand) {
     const bool grouped = grouping == Grouping::by_strand && strands.simplicity[strand] == Simplicity::known;

@@ -75,9 +75,8 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
     tangled = nullptr;
     report.cuts += cuts.size();
     if (cuts.empty()) break;
-    Strands cut = insert_cuts(strands, cuts);
-    if (input.empty() && report.measures_displacement) input = std::move(strands.points);
-    strands = std::move(cut);
+    if (input.empty() && report.measures_displacement) input = strands.points;
+    insert_cuts(strands, cuts);
     moved = std::any_of(strands.flags.begin(), strands.flags.end(),
                         [](std::uint8_t flags) { return (flags & moved_flag) != 0; });
     // Where no piece can reach another, the last round has found nothing without looking.

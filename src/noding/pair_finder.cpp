@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "memory/large_pages.h"
 #include "noding/cell_cut.h"
 
 namespace oblast::noding {
@@ -133,6 +134,19 @@ class Finder {
     return sides;
   }
 
+  /// What of entries[begin..] is left of the cut stays in their place, up to the returned index.
+  std::size_t divide_all(std::vector<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
+                         std::vector<Entry>& right) const {
+    std::size_t left_end = begin;
+    for (std::size_t i = begin; i < entries.size(); ++i) {
+      const Entry e = entries[i];
+      const Sides sides = divide(e, cut, cell);
+      if (sides.right) right.push_back(sides.right_part);
+      if (sides.left) entries[left_end++] = sides.left_part;
+    }
+    return left_end;
+  }
+
   void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
     CellCut cut;
@@ -146,19 +160,13 @@ class Finder {
       return;
     }
     // A task is called as const, so its boxes travel behind a pointer.
-    const auto left = std::make_shared<std::vector<Entry>>();
-    std::vector<Entry> right;
-    left->reserve(entries.size() * 5 / 8);
-    right.reserve(entries.size() * 5 / 8);
-    for (const Entry& e : entries) {
-      const Sides sides = divide(e, cut, cell);
-      if (sides.left) left->push_back(sides.left_part);
-      if (sides.right) right.push_back(sides.right_part);
-    }
-    entries = {};
+    const auto right = std::make_shared<std::vector<Entry>>();
+    reserve_in_large_pages(*right, entries.size() * 5 / 8);
+    const std::size_t left_end = divide_all(entries, 0, cut, cell, *right);
+    entries.resize(left_end);
     const auto [left_cell, right_cell] = cell.halves(cut);
-    tasks.run([this, &tasks, left, c = left_cell] { split_in_parallel(std::move(*left), c, tasks); });
-    split_in_parallel(std::move(right), right_cell, tasks);
+    tasks.run([this, &tasks, right, c = right_cell] { split_in_parallel(std::move(*right), c, tasks); });
+    split_in_parallel(std::move(entries), left_cell, tasks);
   }
 
   /// Depth first, on one array used as a stack: the cell on top owns its tail.
@@ -180,13 +188,7 @@ class Finder {
         continue;
       }
       right.clear();
-      std::size_t left_end = task.begin;
-      for (std::size_t i = task.begin; i < entries.size(); ++i) {
-        const Entry e = entries[i];
-        const Sides sides = divide(e, cut, task.cell);
-        if (sides.right) right.push_back(sides.right_part);
-        if (sides.left) entries[left_end++] = sides.left_part;
-      }
+      const std::size_t left_end = divide_all(entries, task.begin, cut, task.cell, right);
       entries.resize(left_end);
       entries.insert(entries.end(), right.begin(), right.end());
       const auto [left_cell, right_cell] = task.cell.halves(cut);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -80,7 +81,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   });
 
   RegionSet result;
-  result.points.reserve(rings.points.size());
+  reserve_in_large_pages(result.points, rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
   for (const PolygonKey& polygon : polygons) {
@@ -123,7 +124,7 @@ RegionSet join(std::vector<RegionSet> parts) {
   });
 
   RegionSet result;
-  result.points.resize(points);
+  resize_in_large_pages(result.points, points);
   result.contour_ends.resize(contours);
   result.polygon_ends.resize(polygons.size());
   std::uint32_t point = 0, contour = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -35,7 +36,7 @@ Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, con
       size += graph.chains[chain_of(d)].last - graph.chains[chain_of(d)].first;
     rings.ends.push_back(size);
   }
-  rings.points.resize(size);
+  resize_in_large_pages(rings.points, size);
   rings.flags.resize(size, 0);
   constexpr std::size_t contours_a_task = 2048;
   for_ranges(rings.size(), contours_a_task, [&](std::size_t begin, std::size_t end) {
