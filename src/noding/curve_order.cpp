@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "memory/large_pages.h"
+#include "noding/monotone_runs.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast::noding {
@@ -102,7 +103,9 @@ class CurveSort {
  public:
   explicit CurveSort(std::span<const Point> points) : points_(points) {
     resize_in_large_pages(items_, points.size());
-    for (std::uint32_t i = 0; i < items_.size(); ++i) items_[i].index = i;
+    for_ranges(items_.size(), points_a_task, [&](std::size_t first, std::size_t past) {
+      for (std::size_t i = first; i < past; ++i) items_[i].index = static_cast<std::uint32_t>(i);
+    });
   }
 
   std::vector<Keyed> run() {
@@ -123,20 +126,16 @@ class CurveSort {
 
  private:
   static constexpr std::uint32_t crowd = 16;  // so many points in one cell are sorted again inside it
+  static constexpr std::size_t points_a_task = 32768;
 
   /// False when all points are the same.
   bool give_keys(std::span<Keyed> part) const {
-    Point low = points_[part[0].index], high = low;
-    for (const Keyed& k : part) {
-      const Point& p = points_[k.index];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const double size = std::max(high.x - low.x, high.y - low.y);
+    const Box box = box_of(part);
+    const Point low{box.x0, box.y0};
+    const double size = std::max(box.x1 - box.x0, box.y1 - box.y0);
     if (size == 0) return false;
     const double scale = 65535.0 / size;
-    constexpr std::size_t keys_a_task = 32768;
-    for_ranges(part.size(), keys_a_task, [&](std::size_t first, std::size_t past) {
+    for_ranges(part.size(), points_a_task, [&](std::size_t first, std::size_t past) {
       for (Keyed& k : part.subspan(first, past - first)) {
         const Point& p = points_[k.index];
         k.key = hilbert_key(static_cast<std::uint32_t>((p.x - low.x) * scale),
@@ -146,10 +145,31 @@ class CurveSort {
     return true;
   }
 
+  Box box_of(std::span<const Keyed> part) const {
+    std::vector<Box> boxes(part.size() / points_a_task + 1);
+    for_ranges(boxes.size(), 1, [&](std::size_t i, std::size_t past) {
+      for (; i < past; ++i) {
+        const std::span<const Keyed> keyed = part.subspan(i * points_a_task);
+        const Point& first = points_[part[0].index];
+        boxes[i] = Box::of(first, first);
+        for (const Keyed& k : keyed.first(std::min(keyed.size(), points_a_task)))
+          boxes[i] = boxes[i].joined(points_[k.index]);
+      }
+    });
+    for (const Box& box : boxes) boxes[0] = boxes[0].joined(box);
+    return boxes[0];
+  }
+
   void queue_crowded_cells(std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t first = begin, last; first < end; first = last) {
-      for (last = first + 1; last < end && items_[last].key == items_[first].key; ++last) continue;
+    // A crowd has two items of one key that are half a crowd apart, the first of them at a multiple of that.
+    constexpr std::uint32_t step = crowd / 2;
+    for (std::uint32_t i = begin; i + step - 1 < end; i += step) {
+      if (items_[i].key != items_[i + step - 1].key) continue;
+      std::uint32_t first = i, last = i + step;
+      while (first > begin && items_[first - 1].key == items_[i].key) --first;
+      while (last < end && items_[last].key == items_[i].key) ++last;
       if (last - first >= crowd) pending_.push_back({first, last});
+      while (i + step < last) i += step;
     }
   }
 

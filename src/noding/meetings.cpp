@@ -76,9 +76,26 @@ class RecentPairs {
   std::vector<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
 };
 
+/// Cuts as they are found. In blocks, which are not copied as they become many.
+class CutList {
+ public:
+  void push_back(const EdgeCut& cut) {
+    if (blocks_.empty() || blocks_.back().size() == block_size) {
+      blocks_.emplace_back();
+      if (blocks_.size() > 1) blocks_.back().reserve(block_size);
+    }
+    blocks_.back().push_back(cut);
+  }
+  std::span<const std::vector<EdgeCut>> blocks() const { return blocks_; }
+
+ private:
+  static constexpr std::size_t block_size = 4096;
+  std::vector<std::vector<EdgeCut>> blocks_;
+};
+
 /// What one thread found.
 struct Found {
-  std::vector<EdgeCut> cuts;
+  CutList cuts;
   std::vector<std::uint32_t> tangled;  ///< strands, repeatedly
   RecentPairs recent;
 };
@@ -327,7 +344,7 @@ class MeetingTest {
 
   Strands& strands_;
   Settling settling_;
-  std::vector<EdgeCut>& cuts_;
+  CutList& cuts_;
   RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
@@ -378,14 +395,16 @@ std::vector<EdgeCut> arrange(const Strands& strands, std::span<const Found> foun
   const auto& points = strands.points;
   std::vector<std::uint32_t> ends;  // by edge: of its cuts in `cuts`
   resize_in_large_pages(ends, points.size() + 1);
-  for (const auto& part : found)
-    for (const EdgeCut& cut : part.cuts) ++ends[cut.edge + 1];
+  for (const Found& part : found)
+    for (const auto& block : part.cuts.blocks())
+      for (const EdgeCut& cut : block) ++ends[cut.edge + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<EdgeCut> cuts;
   resize_in_large_pages(cuts, ends.back());
   // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
-  for (const auto& part : found)
-    for (const EdgeCut& cut : part.cuts) cuts[ends[cut.edge]++] = cut;
+  for (const Found& part : found)
+    for (const auto& block : part.cuts.blocks())
+      for (const EdgeCut& cut : block) cuts[ends[cut.edge]++] = cut;
 
   constexpr std::size_t cuts_a_task = 16384;
   const std::size_t edges_a_task = 1 + cuts_a_task * points.size() / (points.size() + cuts.size());
@@ -437,7 +456,7 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Sett
     tangled->erase(std::unique(tangled->begin(), tangled->end()), tangled->end());
     if (!tangled->empty()) return {};
   }
-  if (std::all_of(found.begin(), found.end(), [](const auto& part) { return part.cuts.empty(); })) return {};
+  if (std::all_of(found.begin(), found.end(), [](const Found& part) { return part.cuts.blocks().empty(); })) return {};
   std::vector<EdgeCut> cuts = arrange(strands, found, settling, clearance);
   if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;

@@ -8,6 +8,7 @@
 
 #include "memory/large_pages.h"
 #include "noding/cell_cut.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -218,22 +219,38 @@ class Finder {
     std::sort(others.begin(), others.end(), before);
     std::sort(crossers.begin(), crossers.end(), before);
     // Each with those that begin not before it, and before it ends.
-    const auto match = [&](const Entry& e, std::span<const Entry> sorted) {
+    const auto match = [&](const Entry& e, std::span<const Entry> sorted, std::vector<RunPair>& found) {
       const double reach = high(e.box, across) + nearness_.margin;
       for (const Entry& q : sorted) {
         if (low(q.box, across) > reach) break;
-        add(e, q, batch);
+        add(e, q, found);
       }
     };
-    std::size_t next_crosser = 0, next_other = 0;
-    while (next_crosser < crossers.size()) {
-      const Entry& crosser = crossers[next_crosser];
-      if (next_other < others.size() && before(others[next_other], crosser)) {
-        match(others[next_other++], crossers.subspan(next_crosser));
-        continue;
+    // Crossers from one to another, and the others that begin before them.
+    const auto match_range = [&](std::size_t first, std::size_t past, std::vector<RunPair>& found) {
+      const auto first_other = [&](std::size_t crosser) {
+        if (crosser == 0) return std::size_t{0};
+        const Entry& previous = crossers[crosser - 1];
+        return static_cast<std::size_t>(std::lower_bound(others.begin(), others.end(), previous, before) -
+                                        others.begin());
+      };
+      std::size_t other = first_other(first);
+      for (std::size_t crosser = first; crosser < past; ++crosser) {
+        for (; other < others.size() && before(others[other], crossers[crosser]); ++other)
+          match(others[other], crossers.subspan(crosser), found);
+        match(crossers[crosser], others.subspan(other), found);
+        match(crossers[crosser], crossers.subspan(crosser + 1), found);
       }
-      match(crosser, others.subspan(next_other));
-      match(crosser, crossers.subspan(++next_crosser));
+    };
+    constexpr std::size_t crossers_a_task = 64;
+    if (crossers.size() <= crossers_a_task) {
+      match_range(0, crossers.size(), batch);
+    } else {
+      for_ranges(crossers.size(), crossers_a_task, [&](std::size_t first, std::size_t past) {
+        std::vector<RunPair> found;
+        match_range(first, past, found);
+        if (!found.empty()) visit_(found);
+      });
     }
     entries.resize(begin + staying);
     return true;

@@ -14,6 +14,7 @@ namespace {
 /// A ring read from a chosen vertex.
 class Rotation {
  public:
+  explicit Rotation(const Rings& rings) : points_(rings.points.data()), begin_(0), end_(0), start_(0) {}
   Rotation(const Rings& rings, std::size_t ring, std::uint32_t start)
       : points_(rings.points.data()), begin_(rings.begin(ring)), end_(rings.ends[ring]), start_(start) {}
 
@@ -22,9 +23,9 @@ class Rotation {
     const std::size_t v = start_ + i;
     return points_[v < end_ ? v : v - size()];
   }
-  void append_to(std::vector<Point>& points) const {
-    points.insert(points.end(), points_ + start_, points_ + end_);
-    points.insert(points.end(), points_ + begin_, points_ + start_);
+  void copy_to(Point* to) const {
+    to = std::copy(points_ + start_, points_ + end_, to);
+    std::copy(points_ + begin_, points_ + start_, to);
   }
   bool operator<(const Rotation& o) const {
     for (std::size_t i = 0; i < std::min(size(), o.size()); ++i)
@@ -62,9 +63,11 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
 }  // namespace
 
 RegionSet assemble(const Rings& rings, const Nesting& nesting) {
-  std::vector<Rotation> rotations;
-  rotations.reserve(rings.size());
-  for (std::size_t r = 0; r < rings.size(); ++r) rotations.push_back(canonical_rotation(rings, r));
+  constexpr std::size_t rings_a_task = 1024;
+  std::vector<Rotation> rotations(rings.size(), Rotation(rings));
+  for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) rotations[r] = canonical_rotation(rings, r);
+  });
 
   // Polygons by their outer rings; the rings of each together, the outer one first.
   std::vector<PolygonKey> polygons(nesting.polygon_count);
@@ -81,23 +84,30 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   });
 
   RegionSet result;
-  reserve_in_large_pages(result.points, rings.points.size());
+  resize_in_large_pages(result.points, rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
+  std::vector<std::uint32_t> order;  // of the rings in the result
+  order.reserve(rings.size());
+  std::uint32_t size = 0;
   for (const PolygonKey& polygon : polygons) {
     // ends[p] has moved from the beginning of the polygon's rings to their end.
     const auto first = members.begin() + (polygon.index == 0 ? 0 : ends[polygon.index - 1]);
     const auto last = members.begin() + ends[polygon.index];
     if (last - first > 1)
       std::sort(first, last, [&](std::uint32_t r, std::uint32_t s) {
-        return nesting.outer[r] != nesting.outer[s] ? static_cast<bool>(nesting.outer[r]) : rotations[r] < rotations[s];
+        return nesting.outer[r] != nesting.outer[s] ? nesting.outer[r] != 0 : rotations[r] < rotations[s];
       });
     for (auto r = first; r != last; ++r) {
-      rotations[*r].append_to(result.points);
-      result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
+      order.push_back(*r);
+      result.contour_ends.push_back(size += static_cast<std::uint32_t>(rotations[*r].size()));
     }
     result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
   }
+  for_ranges(order.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      rotations[order[i]].copy_to(result.points.data() + (i == 0 ? 0 : result.contour_ends[i - 1]));
+  });
   return result;
 }
 

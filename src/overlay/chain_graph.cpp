@@ -31,39 +31,96 @@ struct Stops {
   std::uint32_t degree(std::uint32_t stop) const { return has_chain_before(stop) + has_chain_after(stop); }
 };
 
-/// Step 1: strands to chains, whose nodes are still their stops.
-Stops cut_into_chains(ChainGraph& graph) {
-  const Strands& strands = graph.strands;
-  const auto is_node = [&](std::uint32_t v) { return (strands.flags[v] & noding::node_flag) != 0; };
-  const auto flagged = static_cast<std::size_t>(std::count_if(
-      strands.flags.begin(), strands.flags.end(), [](std::uint8_t f) { return (f & noding::node_flag) != 0; }));
-  Stops stops;
-  stops.vertex.reserve(flagged);
-  reserve_in_large_pages(stops.chain, flagged);
-  reserve_in_large_pages(graph.chains, flagged + strands.size());
-  const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t from, std::uint32_t to, Winding change) {
-    graph.chains.push_back({first, last, from, to, static_cast<std::uint32_t>(graph.chains.size()), change});
-  };
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    const std::uint32_t begin = strands.begin(s), last = strands.ends[s] - 1;
-    if (!is_node(begin)) {
-      add(begin, last, none, none, strands.change[s]);
-      continue;
-    }
-    std::uint32_t first = begin;
-    for (std::uint32_t v = begin + 1; v <= last; ++v) {
-      if (!is_node(v)) continue;
-      const auto stop = static_cast<std::uint32_t>(stops.vertex.size());
-      stops.vertex.push_back(first);
-      stops.chain.push_back(static_cast<std::uint32_t>(graph.chains.size()));
-      add(first, v, stop, stop + 1, strands.change[s]);
-      first = v;
-    }
-    stops.vertex.push_back(last);
-    stops.chain.push_back(none);
+/// Step 1: strands to chains, whose nodes are still their stops. By ranges of vertices: first what each has, then where
+/// to put it is known.
+class ChainCutter {
+ public:
+  explicit ChainCutter(ChainGraph& graph) : graph_(graph), strands_(graph.strands) {}
+
+  Stops run() {
+    constexpr std::size_t vertices_a_range = 1 << 16;
+    const std::size_t count = strands_.points.size() / vertices_a_range + 1;
+    std::vector<Range> ranges(count + 1);
+    const auto for_each = [&](const auto& visit) {
+      for_ranges(count, 1, [&](std::size_t i, std::size_t past) {
+        for (; i < past; ++i)
+          visit(i, i * vertices_a_range, std::min((i + 1) * vertices_a_range, strands_.points.size()));
+      });
+    };
+    for_each([&](std::size_t i, std::size_t begin, std::size_t end) { ranges[i + 1] = counted(begin, end); });
+    for (std::size_t i = 0; i < count; ++i) ranges[i + 1].add(ranges[i]);
+    Stops stops;
+    resize_in_large_pages(stops.vertex, ranges[count].stops);
+    resize_in_large_pages(stops.chain, ranges[count].stops);
+    resize_in_large_pages(graph_.chains, ranges[count].chains);
+    for_each([&](std::size_t i, std::size_t begin, std::size_t end) { cut(begin, end, ranges[i], stops); });
+    return stops;
   }
-  return stops;
-}
+
+ private:
+  /// How many stops and chains come before a range, and the last stop's vertex. Chains count where they end.
+  struct Range {
+    std::uint32_t stops = 0, chains = 0, last_stop = 0;
+
+    void add(const Range& before) {
+      if (stops == 0) last_stop = before.last_stop;
+      stops += before.stops;
+      chains += before.chains;
+    }
+  };
+
+  bool is_node(std::uint32_t v) const { return (strands_.flags[v] & noding::node_flag) != 0; }
+
+  /// Calls stop(strand, vertex) for what of nodes is in [begin, end), and loop(strand) for contours without nodes that
+  /// begin there.
+  template <class Stop, class Loop>
+  void walk(std::size_t begin, std::size_t end, const Stop& stop, const Loop& loop) const {
+    auto v = static_cast<std::uint32_t>(begin);
+    for (std::size_t s = strands_.strand_of(v); v < end; ++s) {
+      const std::uint32_t first = strands_.begin(s);
+      const auto past = static_cast<std::uint32_t>(std::min<std::size_t>(strands_.ends[s], end));
+      if (!is_node(first)) {
+        if (v == first) loop(s);
+        v = past;
+      }
+      for (; v < past; ++v)
+        if (is_node(v)) stop(s, v);
+    }
+  }
+
+  Range counted(std::size_t begin, std::size_t end) const {
+    Range range;
+    walk(
+        begin, end,
+        [&](std::size_t s, std::uint32_t v) {
+          ++range.stops;
+          range.chains += v != strands_.begin(s);
+          range.last_stop = v;
+        },
+        [&](std::size_t) { ++range.chains; });
+    return range;
+  }
+
+  void cut(std::size_t begin, std::size_t end, Range before, Stops& stops) {
+    const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t from, std::uint32_t to, std::size_t s) {
+      graph_.chains[before.chains] = {first, last, from, to, before.chains, strands_.change[s]};
+      ++before.chains;
+    };
+    walk(
+        begin, end,
+        [&](std::size_t s, std::uint32_t v) {
+          const std::uint32_t stop = before.stops++;
+          if (v != strands_.begin(s)) add(before.last_stop, v, stop - 1, stop, s);
+          before.last_stop = v;
+          stops.vertex[stop] = v;
+          stops.chain[stop] = v + 1 == strands_.ends[s] ? none : before.chains;
+        },
+        [&](std::size_t s) { add(strands_.begin(s), strands_.ends[s] - 1, none, none, s); });
+  }
+
+  ChainGraph& graph_;
+  const Strands& strands_;
+};
 
 /// Step 2: stops to nodes, and room for their lists.
 void number_nodes(ChainGraph& graph, Stops& stops) {
@@ -211,7 +268,7 @@ void drop_dead_chains(ChainGraph& graph) {
 ChainGraph build_chain_graph(Strands strands) {
   ChainGraph graph;
   graph.strands = std::move(strands);
-  Stops stops = cut_into_chains(graph);
+  Stops stops = ChainCutter(graph).run();
   number_nodes(graph, stops);
   if (build_connectivity_lists(graph, stops)) drop_dead_chains(graph);
   return graph;

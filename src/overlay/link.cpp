@@ -8,91 +8,197 @@
 namespace oblast {
 namespace {
 
+/// Of a chain whose walk is known to leave the range of nodes it was begun in.
+constexpr std::uint32_t far_walk = none - 1;
+
+/// What the walks go over.
+struct Paths {
+  const ChainGraph& graph;
+  const Selection& selection;
+  ContourConvention convention;
+  std::vector<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
+  std::vector<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
+  std::vector<std::uint32_t>
+      place_on_path;  ///< by node, for ogc: index in the path of the descriptor that starts there
+
+  bool leaves(Descriptor d) const { return selection[chain_of(d)] == d; }
+  bool arrives(Descriptor d) const { return selection[chain_of(d)] == opposite(d); }
+  bool is_collected(std::uint32_t chain) const { return walk_of_chain[chain] < far_walk; }
+  bool is_loop(std::uint32_t chain) const { return graph.chains[chain].is_loop(); }
+};
+
+/// Collects walks into contours. Several work side by side where their walks have no node in common.
+class WalkCollector {
+ public:
+  explicit WalkCollector(Paths& paths) : paths_(paths) {}
+
+  /// Walks among the nodes [begin, end) only. The others are marked.
+  void collect_near(std::uint32_t begin, std::uint32_t end) {
+    const auto& list_ends = paths_.graph.list_ends;
+    for (std::uint32_t i = begin == 0 ? 0 : list_ends[begin - 1]; i < list_ends[end - 1]; ++i) {
+      const Descriptor d = paths_.graph.lists[i];
+      if (!paths_.leaves(d) || paths_.walk_of_chain[chain_of(d)] != none) continue;
+      collect(chain_of(d), [&](std::uint32_t node, std::uint32_t chain) {
+        return begin <= node && node < end && paths_.walk_of_chain[chain] != far_walk;
+      });
+    }
+  }
+
+  /// One walk from a first chain until it closes.
+  void collect(std::uint32_t first_chain) {
+    collect(first_chain, [](std::uint32_t, std::uint32_t) { return true; });
+  }
+
+  std::vector<Descriptor> descriptors;
+  std::vector<std::uint32_t> ends;  ///< by contour
+  std::vector<std::uint32_t> walk;  ///< by contour
+  std::uint32_t walk_count = 0;
+
+ private:
+  /// One walk; or nothing, where it comes to a chain that is not near by its first node.
+  template <class IsNear>
+  void collect(std::uint32_t first_chain, const IsNear& is_near) {
+    const bool loop = paths_.is_loop(first_chain);
+    const bool parts = paths_.convention == ContourConvention::ogc && !loop;
+    const std::size_t contours = ends.size();
+    path_.clear();
+    std::uint32_t c = first_chain;
+    do {
+      const Descriptor d = paths_.selection[c];
+      const std::uint32_t node = paths_.graph.start_node(d);
+      if (!is_near(node, c)) return mark_far(contours, parts);
+      paths_.walk_of_chain[c] = walk_count;
+      if (parts) part_at(node);
+      path_.push_back(d);
+      if (!loop) c = chain_of(paths_.next[c]);
+    } while (c != first_chain);
+    if (parts) leave_path(0);
+    emit(0);
+    ++walk_count;
+  }
+
+  /// Takes back a walk, whose contours from `first_contour` on are parted from it already.
+  void mark_far(std::size_t first_contour, bool parts) {
+    if (parts) leave_path(0);
+    emit(0);
+    const std::size_t begin = first_contour == 0 ? 0 : ends[first_contour - 1];
+    for (std::size_t i = begin; i < descriptors.size(); ++i) paths_.walk_of_chain[chain_of(descriptors[i])] = far_walk;
+    descriptors.resize(begin);
+    ends.resize(first_contour);
+    walk.resize(first_contour);
+  }
+
+  void leave_path(std::size_t begin) {
+    for (std::size_t i = begin; i < path_.size(); ++i) paths_.place_on_path[paths_.graph.start_node(path_[i])] = none;
+  }
+
+  /// The walk is at `node`: when it has been here before, what lies between is a contour of its own.
+  void part_at(std::uint32_t node) {
+    const std::uint32_t place = paths_.place_on_path[node];
+    if (place != none) {
+      leave_path(place);
+      emit(place);
+    }
+    paths_.place_on_path[node] = static_cast<std::uint32_t>(path_.size());
+  }
+
+  void emit(std::size_t begin) {
+    descriptors.insert(descriptors.end(), path_.begin() + static_cast<std::ptrdiff_t>(begin), path_.end());
+    ends.push_back(static_cast<std::uint32_t>(descriptors.size()));
+    walk.push_back(walk_count);
+    path_.resize(begin);
+  }
+
+  Paths& paths_;
+  std::vector<Descriptor> path_;
+};
+
 class Linker {
  public:
   Linker(const ChainGraph& graph, const Selection& selection, ContourConvention convention)
-      : graph_(graph), selection_(selection), convention_(convention) {
-    resize_in_large_pages(next_, graph.chains.size(), none);
+      : paths_{graph, selection, convention, {}, {}, {}} {
+    resize_in_large_pages(paths_.next, graph.chains.size(), none);
+    resize_in_large_pages(paths_.walk_of_chain, graph.chains.size(), none);
+    if (convention == ContourConvention::ogc) resize_in_large_pages(paths_.place_on_path, graph.node_count(), none);
   }
 
   LinkedContours run() {
     find_successors();
-    resize_in_large_pages(linked_.walk_of_chain, graph_.chains.size(), none);
-    if (convention_ == ContourConvention::ogc) resize_in_large_pages(place_on_path_, graph_.node_count(), none);
-    // By node: walks that begin near each other in the plane have their chains near each other in memory.
-    for (const Descriptor d : graph_.lists)
-      if (leaves(d) && linked_.walk_of_chain[chain_of(d)] == none) collect(chain_of(d));
-    for (std::uint32_t c = 0; c < selection_.size(); ++c)
-      if (selection_[c] != none && graph_.chains[c].is_loop()) collect(c);
-    return std::move(linked_);
+    // Nodes that are near in the plane are near in memory, so most short walks stay within a range.
+    constexpr std::uint32_t nodes_a_range = 8192;
+    const auto node_count = static_cast<std::uint32_t>(paths_.graph.node_count());
+    const std::uint32_t ranges = node_count <= nodes_a_range ? 0 : node_count / nodes_a_range + 1;
+    std::vector<WalkCollector> collectors(ranges + 1, WalkCollector(paths_));
+    for_ranges(ranges, 1, [&](std::size_t range, std::size_t past) {
+      for (; range < past; ++range) {
+        const std::uint32_t begin = static_cast<std::uint32_t>(range) * nodes_a_range;
+        if (begin < node_count) collectors[range].collect_near(begin, std::min(begin + nodes_a_range, node_count));
+      }
+    });
+    WalkCollector& others = collectors.back();
+    for (const Descriptor d : paths_.graph.lists)
+      if (paths_.leaves(d) && !paths_.is_collected(chain_of(d))) others.collect(chain_of(d));
+    const auto chain_count = static_cast<std::uint32_t>(paths_.selection.size());
+    for (std::uint32_t c = 0; c < chain_count; ++c)
+      if (paths_.selection[c] != none && paths_.is_loop(c)) others.collect(c);
+    return join(std::move(collectors));
   }
 
  private:
-  bool leaves(Descriptor d) const { return selection_[chain_of(d)] == d; }
-  bool arrives(Descriptor d) const { return selection_[chain_of(d)] == opposite(d); }
-
   /// Jump, for all nodes at once: around a node selected chains arrive and leave in turn, and a walk that
   /// arrives leaves by the selected descriptor before it.
   void find_successors() {
     constexpr std::size_t nodes_a_task = 8192;
-    for_ranges(graph_.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for_ranges(paths_.graph.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
-        const auto list = graph_.list(node);
+        const auto list = paths_.graph.list(node);
         Descriptor leaving = none;
         for (std::size_t i = list.size(); i-- > 0 && leaving == none;)
-          if (leaves(list[i])) leaving = list[i];
+          if (paths_.leaves(list[i])) leaving = list[i];
         for (const Descriptor d : list) {
-          if (leaves(d)) leaving = d;
-          if (arrives(d)) next_[chain_of(d)] = leaving;
+          if (paths_.leaves(d)) leaving = d;
+          if (paths_.arrives(d)) paths_.next[chain_of(d)] = leaving;
         }
       }
     });
   }
 
-  /// Collect: one walk from a first chain until it closes.
-  void collect(std::uint32_t first_chain) {
-    const std::uint32_t walk = linked_.walk_count++;
-    path_.clear();
-    for (std::uint32_t c = first_chain; linked_.walk_of_chain[c] == none;) {
-      linked_.walk_of_chain[c] = walk;
-      const Descriptor d = selection_[c];
-      if (convention_ == ContourConvention::ogc && !graph_.chains[c].is_loop()) part_at(graph_.start_node(d), walk);
-      path_.push_back(d);
-      if (graph_.chains[c].is_loop()) break;
-      c = chain_of(next_[c]);
+  LinkedContours join(std::vector<WalkCollector> collectors) {
+    LinkedContours linked;
+    if (collectors.size() == 1) {
+      WalkCollector& only = collectors[0];
+      return {std::move(only.descriptors), std::move(only.ends), std::move(only.walk), std::move(paths_.walk_of_chain),
+              only.walk_count};
     }
-    if (convention_ == ContourConvention::ogc) {
-      for (const Descriptor d : path_)
-        if (!graph_.chains[chain_of(d)].is_loop()) place_on_path_[graph_.start_node(d)] = none;
+    std::vector<std::uint32_t> first_descriptor, first_contour, first_walk;
+    std::uint32_t descriptors = 0, contours = 0;
+    for (const WalkCollector& part : collectors) {
+      first_descriptor.push_back(descriptors);
+      first_contour.push_back(contours);
+      first_walk.push_back(linked.walk_count);
+      descriptors += static_cast<std::uint32_t>(part.descriptors.size());
+      contours += static_cast<std::uint32_t>(part.ends.size());
+      linked.walk_count += part.walk_count;
     }
-    emit(0, walk);
+    resize_in_large_pages(linked.descriptors, descriptors);
+    resize_in_large_pages(linked.ends, contours);
+    resize_in_large_pages(linked.walk, contours);
+    for_ranges(collectors.size(), 1, [&](std::size_t i, std::size_t past) {
+      for (; i < past; ++i) {
+        const WalkCollector& part = collectors[i];
+        std::copy(part.descriptors.begin(), part.descriptors.end(), linked.descriptors.begin() + first_descriptor[i]);
+        for (const Descriptor d : part.descriptors) paths_.walk_of_chain[chain_of(d)] += first_walk[i];
+        for (std::size_t c = 0; c < part.ends.size(); ++c) {
+          linked.ends[first_contour[i] + c] = part.ends[c] + first_descriptor[i];
+          linked.walk[first_contour[i] + c] = part.walk[c] + first_walk[i];
+        }
+      }
+    });
+    linked.walk_of_chain = std::move(paths_.walk_of_chain);
+    return linked;
   }
 
-  /// The walk is at `node`: when it has been here before, what lies between is a contour of its own.
-  void part_at(std::uint32_t node, std::uint32_t walk) {
-    const std::uint32_t place = place_on_path_[node];
-    if (place != none) {
-      for (std::size_t i = place; i < path_.size(); ++i) place_on_path_[graph_.start_node(path_[i])] = none;
-      emit(place, walk);
-    }
-    place_on_path_[node] = static_cast<std::uint32_t>(path_.size());
-  }
-
-  void emit(std::size_t begin, std::uint32_t walk) {
-    linked_.descriptors.insert(linked_.descriptors.end(), path_.begin() + static_cast<std::ptrdiff_t>(begin),
-                               path_.end());
-    linked_.ends.push_back(static_cast<std::uint32_t>(linked_.descriptors.size()));
-    linked_.walk.push_back(walk);
-    path_.resize(begin);
-  }
-
-  const ChainGraph& graph_;
-  const Selection& selection_;
-  ContourConvention convention_;
-  std::vector<Descriptor> next_;  ///< by chain: the descriptor its walk goes on with
-  std::vector<Descriptor> path_;
-  std::vector<std::uint32_t> place_on_path_;  ///< by node: index in path_ of the descriptor that starts there
-  LinkedContours linked_;
+  Paths paths_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "exact/orientation.h"
 #include "overlay/locate_below.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -47,12 +48,16 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   nesting.outer.resize(rings.size());
   std::vector<std::uint32_t> polygon_of_walk(linked.walk_count, none);
   std::vector<BelowQuery> arrivals(rings.size());
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    const Smallest smallest = smallest_vertex(rings, r);
-    nesting.outer[r] = smallest.outer;
-    arrivals[r] = smallest.arrival;
-    if (smallest.outer) polygon_of_walk[linked.walk[r]] = nesting.polygon_count++;
-  }
+  constexpr std::size_t rings_a_task = 1024;
+  for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Smallest smallest = smallest_vertex(rings, r);
+      nesting.outer[r] = smallest.outer;
+      arrivals[r] = smallest.arrival;
+    }
+  });
+  for (std::size_t r = 0; r < rings.size(); ++r)
+    if (nesting.outer[r]) polygon_of_walk[linked.walk[r]] = nesting.polygon_count++;
 
   // Of each walk of holes, the ring that is lowest and leftmost.
   std::vector<std::uint32_t> first_ring(linked.walk_count, none);

@@ -15,7 +15,7 @@ namespace oblast {
 
 struct Nesting {
   std::vector<std::uint32_t> polygon;  ///< by ring
-  std::vector<bool> outer;             ///< by ring: counter-clockwise
+  std::vector<std::uint8_t> outer;     ///< by ring: counter-clockwise
   std::uint32_t polygon_count = 0;
 };
 

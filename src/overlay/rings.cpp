@@ -1,6 +1,7 @@
 #include "overlay/rings.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
@@ -29,16 +30,18 @@ void write_ring(const ChainGraph& graph, const std::vector<std::uint8_t>& node_f
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
   const std::vector<std::uint8_t> node_flags = classify_nodes(graph, selection);
   Rings rings;
-  rings.ends.reserve(linked.ends.size());
-  std::uint32_t size = 0;
-  for (std::size_t c = 0; c < linked.ends.size(); ++c) {
-    for (const Descriptor d : linked.contour(c))
-      size += graph.chains[chain_of(d)].last - graph.chains[chain_of(d)].first;
-    rings.ends.push_back(size);
-  }
+  constexpr std::size_t contours_a_task = 2048;
+  rings.ends.resize(linked.ends.size());
+  for_ranges(rings.size(), contours_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      for (const Descriptor d : linked.contour(c))
+        rings.ends[c] += graph.chains[chain_of(d)].last - graph.chains[chain_of(d)].first;
+    }
+  });
+  std::partial_sum(rings.ends.begin(), rings.ends.end(), rings.ends.begin());
+  const std::uint32_t size = rings.ends.empty() ? 0 : rings.ends.back();
   resize_in_large_pages(rings.points, size);
   rings.flags.resize(size, 0);
-  constexpr std::size_t contours_a_task = 2048;
   for_ranges(rings.size(), contours_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) write_ring(graph, node_flags, linked.contour(c), rings.begin(c), rings);
   });

@@ -1,6 +1,7 @@
 #include "overlay/select.h"
 
 #include "memory/large_pages.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 
@@ -11,12 +12,15 @@ Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Ope
   };
   Selection selection;
   resize_in_large_pages(selection, graph.chains.size(), none);
-  for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
-    if (!graph.is_live(c)) continue;
-    const bool right_side = in_result(right[c]), left_side = in_result(right[c] + graph.chains[c].change);
-    if (left_side == right_side) continue;
-    selection[c] = left_side ? forward(c) : opposite(forward(c));
-  }
+  constexpr std::size_t chains_a_task = 32768;
+  for_ranges(graph.chains.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+      if (!graph.is_live(c)) continue;
+      const bool right_side = in_result(right[c]), left_side = in_result(right[c] + graph.chains[c].change);
+      if (left_side == right_side) continue;
+      selection[c] = left_side ? forward(c) : opposite(forward(c));
+    }
+  });
   return selection;
 }
 

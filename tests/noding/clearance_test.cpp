@@ -33,7 +33,8 @@ Looked look(Strands strands) {
   const auto cuts = find_meetings(strands, monotone_runs(strands, Grouping::none), {}, {}, &clearance);
   looked.cuts = cuts.size();
   for (const std::uint8_t f : strands.flags) looked.near += (f & near_flag) != 0;
-  const Strands pieces = insert_cuts(strands, cuts);
+  Strands pieces = strands;
+  insert_cuts(pieces, cuts);
   Strands all = pieces;
   looked.later = find_meetings(all, monotone_runs(all, Grouping::none), {}).size();
   Strands flagged = pieces;

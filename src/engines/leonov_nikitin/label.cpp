@@ -18,6 +18,7 @@
 #include "memory/large_pages.h"
 #include "overlay/enclosing_boxes.h"
 #include "overlay/locate_below.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::leonov_nikitin {
 namespace {
@@ -60,31 +61,65 @@ class Labelling {
   }
 
  private:
+  /// What chains that follow one another have of a component.
+  struct Part {
+    std::uint32_t component;  ///< none for a contour that meets nothing
+    std::uint32_t chain;      ///< a chain that the smallest vertex is on
+    Extent extent;
+  };
+
   /// Of each component, and of each contour that meets nothing, which is one by itself.
   void find_components(const RelativeLabels& labels) {
     components_.resize(labels.component_count);
     boxes_.resize(labels.component_count);
-    const auto chain_count = static_cast<std::uint32_t>(graph_.chains.size());
-    resize_in_large_pages(component_of_, chain_count, none);
-    live_.reserve(chain_count);
-    for (std::uint32_t c = 0; c < chain_count; ++c) {
+    resize_in_large_pages(component_of_, graph_.chains.size(), none);
+    constexpr std::size_t chains_a_range = 16384;
+    std::vector<std::vector<Part>> parts(graph_.chains.size() / chains_a_range + 1);
+    for_ranges(parts.size(), 1, [&](std::size_t range, std::size_t past) {
+      for (; range < past; ++range)
+        parts[range] = parts_of(range * chains_a_range, (range + 1) * chains_a_range, labels);
+    });
+    for (const std::vector<Part>& range : parts)
+      for (const Part& part : range) add(part);
+  }
+
+  std::vector<Part> parts_of(std::size_t begin, std::size_t end, const RelativeLabels& labels) {
+    std::vector<Part> parts;
+    end = std::min(end, graph_.chains.size());
+    for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       if (!graph_.is_live(c)) continue;
-      live_.push_back(c);
       const Chain& chain = graph_.chains[c];
       const Extent extent = extent_of(graph_.strands.points, chain);
-      if (chain.is_loop()) {
-        component_of_[c] = static_cast<std::uint32_t>(components_.size());
-        components_.push_back({c, extent.smallest});
-        boxes_.push_back(extent.box);
+      const std::uint32_t component = component_of_[c] = chain.is_loop() ? none : labels.component[chain.from];
+      if (component == none || parts.empty() || parts.back().component != component) {
+        parts.push_back({component, c, extent});
         continue;
       }
-      const std::uint32_t i = component_of_[c] = labels.component[chain.from];
-      Component& component = components_[i];
-      boxes_[i] = component.chain == none ? extent.box : boxes_[i].joined(extent.box);
-      if (component.chain == none ||
-          lexicographically_less(graph_.point(extent.smallest), graph_.point(component.vertex)))
-        component = {c, extent.smallest};
+      Part& part = parts.back();
+      part.extent.box = part.extent.box.joined(extent.box);
+      if (!is_smaller(extent.smallest, part.extent.smallest)) continue;
+      part.extent.smallest = extent.smallest;
+      part.chain = c;
     }
+    return parts;
+  }
+
+  void add(const Part& part) {
+    if (part.component == none) {
+      component_of_[part.chain] = static_cast<std::uint32_t>(components_.size());
+      components_.push_back({part.chain, part.extent.smallest});
+      boxes_.push_back(part.extent.box);
+      return;
+    }
+    Component& component = components_[part.component];
+    Box& box = boxes_[part.component];
+    box = component.chain == none ? part.extent.box : box.joined(part.extent.box);
+    if (component.chain == none || is_smaller(part.extent.smallest, component.vertex))
+      component = {part.chain, part.extent.smallest};
+  }
+
+  bool is_smaller(std::uint32_t vertex, std::uint32_t other) const {
+    return lexicographically_less(graph_.point(vertex), graph_.point(other));
   }
 
   /// The smallest vertex of a component with the lower of the edges there, and the sector outside it.
@@ -124,7 +159,7 @@ class Labelling {
       smallest.push_back(outside.back().p);
     }
     if (count == 1) {
-      for (const std::uint32_t c : live_) right_[c] = right_[c] - components_[0].outside;
+      add_to_labels([&](std::uint32_t) { return -components_[0].outside; });
       return;
     }
     const Enclosure enclosure = find_enclosing(boxes_, smallest);
@@ -138,9 +173,10 @@ class Labelling {
     queries.reserve(asking.size());
     for (const std::uint32_t i : asking) queries.push_back(outside[i]);
     std::vector<std::uint32_t> chains;
-    if (!asking.empty())
-      std::copy_if(live_.begin(), live_.end(), std::back_inserter(chains),
-                   [&](std::uint32_t c) { return enclosure.encloses[component_of_[c]] != 0; });
+    if (!asking.empty()) {
+      for (std::uint32_t c = 0; c < component_of_.size(); ++c)
+        if (component_of_[c] != none && enclosure.encloses[component_of_[c]] != 0) chains.push_back(c);
+    }
     const std::vector<Below> below = locate_below(graph_, chains, queries);
 
     std::vector<Winding> base(count);
@@ -151,15 +187,24 @@ class Labelling {
       const Winding around = right_[b.chain] + base[component_of_[b.chain]];
       base[asking[k]] = base[asking[k]] + (b.rightward ? around + graph_.chains[b.chain].change : around);
     }
-    for (const std::uint32_t c : live_) right_[c] = right_[c] + base[component_of_[c]];
+    add_to_labels([&](std::uint32_t component) { return base[component]; });
+  }
+
+  /// What `base` says of a component is added to its labels.
+  template <class Base>
+  void add_to_labels(const Base& base) {
+    constexpr std::size_t chains_a_task = 65536;
+    for_ranges(right_.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        if (component_of_[c] != none) right_[c] = right_[c] + base(component_of_[c]);
+    });
   }
 
   const ChainGraph& graph_;
   std::vector<Winding> right_;
-  std::vector<std::uint32_t> component_of_;  ///< by chain
+  std::vector<std::uint32_t> component_of_;  ///< by chain; none where it is not live
   std::vector<Component> components_;
   std::vector<Box> boxes_;  ///< by component
-  std::vector<std::uint32_t> live_;
 };
 
 }  // namespace
