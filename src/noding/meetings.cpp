@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "exact/expansion.h"
@@ -105,6 +106,7 @@ class MeetingTest {
  public:
   MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance, bool finds_tangled)
       : strands_(strands),
+        points_(strands.points.data()),
         settling_(settling),
         cuts_(found.cuts),
         recent_(found.recent),
@@ -115,32 +117,34 @@ class MeetingTest {
   /// Every edge of one run against every edge of the other whose boxes meet. First, without branches, the edges of
   /// each that reach into the box of the other: usually few.
   void test_runs(const RunPair& pair) {
-    const auto& points = strands_.points;
-    if (pair.last_p - pair.first_p == 1 && pair.last_q - pair.first_q == 1) {
+    const bool one_p = pair.last_p - pair.first_p == 1, one_q = pair.last_q - pair.first_q == 1;
+    if (one_p && one_q) {
       test_edges(pair.first_p, pair.first_q);
       return;
     }
-    const std::uint32_t in_q = edges_in(Box::of(points[pair.first_q], points[pair.last_q]), pair.first_p, pair.last_p);
-    const std::uint32_t in_p = edges_in(Box::of(points[pair.first_p], points[pair.last_p]), pair.first_q, pair.last_q);
+    const std::uint32_t in_q = one_p ? 1 : edges_in(box_of(pair.first_q, pair.last_q), pair.first_p, pair.last_p);
+    if (in_q == 0) return;
+    const std::uint32_t in_p = one_q ? 1 : edges_in(box_of(pair.first_p, pair.last_p), pair.first_q, pair.last_q);
+    const bool boxes_meet = one_p || one_q;
     for (std::uint32_t p = in_q; p != 0; p &= p - 1) {
       const std::uint32_t i = pair.first_p + static_cast<std::uint32_t>(std::countr_zero(p));
-      const Box box = box_of(i);
       for (std::uint32_t q = in_p; q != 0; q &= q - 1) {
         const std::uint32_t j = pair.first_q + static_cast<std::uint32_t>(std::countr_zero(q));
-        if (box.meets(box_of(j))) test_edges(i, j);
+        if (boxes_meet || box_of(i, i + 1).meets(box_of(j, j + 1))) test_edges(i, j);
       }
     }
   }
 
  private:
-  Box box_of(std::uint32_t edge) const { return Box::of(strands_.points[edge], strands_.points[edge + 1]); }
+  /// Of a run between two vertices.
+  Box box_of(std::uint32_t first, std::uint32_t last) const { return Box::of(points_[first], points_[last]); }
 
   /// Bit k: edge first + k reaches into the box.
   std::uint32_t edges_in(const Box& box, std::uint32_t first, std::uint32_t last) const {
     static_assert(longest_run <= 32);
     std::uint32_t found = 0;
     for (std::uint32_t edge = first; edge < last; ++edge)
-      found |= static_cast<std::uint32_t>(box_of(edge).meets(box)) << (edge - first);
+      found |= static_cast<std::uint32_t>(box_of(edge, edge + 1).meets(box)) << (edge - first);
     return found;
   }
 
@@ -162,8 +166,10 @@ class MeetingTest {
   }
 
   void look_at(std::uint32_t i, std::uint32_t j) {
-    const auto& points = strands_.points;
-    const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+    const Point &a = points_[i], &b = points_[i + 1], &c = points_[j], &d = points_[j + 1];
+    // Most pairs are edges that follow one another, and meet once more only where they are collinear.
+    if (j == i + 1 && orientation(a, b, d) != 0) return;
+    if (i == j + 1 && orientation(c, d, b) != 0) return;
     // From the second round on nearly all pairs are edges that meet at a node.
     if (a == c || a == d || b == c || b == d) {
       test_edges_with_common_end(i, j);
@@ -226,29 +232,27 @@ class MeetingTest {
 
   /// The edges meet at the common end, and elsewhere only if they overlap.
   void test_edges_with_common_end(std::uint32_t i, std::uint32_t j) {
-    const auto& points = strands_.points;
     for (const std::uint32_t p : {i, i + 1}) {
       for (const std::uint32_t q : {j, j + 1}) {
-        if (points[p] != points[q]) continue;
+        if (points_[p] != points_[q]) continue;
         if (!same_vertex(p, q)) {
           mark(p);
           mark(q);
-          if (clearance_) touch_clearly(i, j, points[p], points[i + i + 1 - p], points[j + j + 1 - q]);
+          if (clearance_) touch_clearly(i, j, points_[p], points_[i + i + 1 - p], points_[j + j + 1 - q]);
         }
         // The ends that are not common.
         const std::uint32_t u = i + i + 1 - p, v = j + j + 1 - q;
-        if (orientation(points[p], points[u], points[v]) != 0) return;
-        vertex_on_edge(u, points[u], j);
-        vertex_on_edge(v, points[v], i);
-        mark_fold(p, points[p], points[u], q, points[q], points[v]);
+        if (orientation(points_[p], points_[u], points_[v]) != 0) return;
+        vertex_on_edge(u, points_[u], j);
+        vertex_on_edge(v, points_[v], i);
+        mark_fold(p, points_[p], points_[u], q, points_[q], points_[v]);
       }
     }
   }
 
   /// Edges i and j cross inside both.
   void cross(std::uint32_t i, std::uint32_t j) {
-    const auto& points = strands_.points;
-    const Point &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+    const Point &a = points_[i], &b = points_[i + 1], &c = points_[j], &d = points_[j + 1];
     if (settling_.tolerance > 0 && settle_at_an_end(i, j)) return;
     Point x = exact::intersection_point(a, b, c, d);
     if (settling_.doublings >= 0)
@@ -260,15 +264,14 @@ class MeetingTest {
   /// Lets one of two crossing edges pass through the nearest end of the other, if that is near enough and
   /// in its box. Of ends equally near, the smallest.
   bool settle_at_an_end(std::uint32_t i, std::uint32_t j) {
-    const auto& points = strands_.points;
-    double nearest = settling_.tolerance * largest_ulp({points[i], points[i + 1], points[j], points[j + 1]});
+    double nearest = settling_.tolerance * largest_ulp({points_[i], points_[i + 1], points_[j], points_[j + 1]});
     std::uint32_t vertex = no_vertex, edge = 0;
     const auto consider = [&](std::uint32_t v, std::uint32_t other) {
-      const Point &p = points[v], &a = points[other], &b = points[other + 1];
+      const Point &p = points_[v], &a = points_[other], &b = points_[other + 1];
       if (!in_box(p, a, b)) return;
       const double distance = distance_from_line(p, a, b);
       if (distance > nearest) return;
-      if (vertex != no_vertex && distance == nearest && !lexicographically_less(p, points[vertex])) return;
+      if (vertex != no_vertex && distance == nearest && !lexicographically_less(p, points_[vertex])) return;
       nearest = distance;
       vertex = v;
       edge = other;
@@ -277,7 +280,7 @@ class MeetingTest {
     for (const std::uint32_t v : {j, j + 1}) consider(v, i);
     if (vertex == no_vertex) return false;
     mark(vertex);
-    cut(edge, 0, points[vertex]);
+    cut(edge, 0, points_[vertex]);
     return true;
   }
 
@@ -292,9 +295,9 @@ class MeetingTest {
 
   /// Edge `edge` passes through x: a new vertex, or one of its ends.
   void meet_at(std::uint32_t edge, const Point& x) {
-    if (x == strands_.points[edge])
+    if (x == points_[edge])
       mark(edge);
-    else if (x == strands_.points[edge + 1])
+    else if (x == points_[edge + 1])
       mark(edge + 1);
     else
       cut(edge, 0, x);
@@ -302,7 +305,7 @@ class MeetingTest {
 
   /// REQUIRES: p, the point of `vertex`, is collinear with the edge.
   void vertex_on_edge(std::uint32_t vertex, const Point& p, std::uint32_t edge) {
-    const Point &a = strands_.points[edge], &b = strands_.points[edge + 1];
+    const Point &a = points_[edge], &b = points_[edge + 1];
     if (p == a || p == b) {
       const std::uint32_t other = p == a ? edge : edge + 1;
       if (same_vertex(vertex, other)) return;
@@ -343,6 +346,7 @@ class MeetingTest {
   }
 
   Strands& strands_;
+  const Point* points_;
   Settling settling_;
   CutList& cuts_;
   RecentPairs& recent_;
@@ -434,22 +438,24 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Sett
                                    const std::function<void()>& checkpoint, Clearance* clearance,
                                    std::vector<std::uint32_t>* tangled) {
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
-  std::vector<Found> found(1);
-  tbb::enumerable_thread_specific<Found> by_thread;
+  Found by_caller;
+  std::optional<tbb::enumerable_thread_specific<Found>> by_thread;
+  if (parallel) by_thread.emplace();
   const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
-    Found& mine = parallel ? by_thread.local() : found.front();
+    Found& mine = by_thread ? by_thread->local() : by_caller;
     if (repeats) mine.recent.prepare();
+    mine.cuts.reserve(32);
     MeetingTest test(strands, settling, mine, clearance, tangled != nullptr);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
   Nearness nearness;
-  if (clearance) nearness = {clearance->distance(), [&](std::uint32_t edge) { clearance->flag(edge); }};
-  find_pairs(strands.points, std::move(runs), visit, PairGoal::meetings, nearness);
-  if (parallel) {
-    found.clear();
-    for (Found& part : by_thread) found.push_back(std::move(part));
-  }
+  if (clearance) nearness = {clearance->distance(), [clearance](std::uint32_t edge) { clearance->flag(edge); }};
+  find_pairs(strands.points, std::move(runs), std::ref(visit), PairGoal::meetings, nearness);
+  std::vector<Found> by_threads;
+  if (by_thread)
+    for (Found& part : *by_thread) by_threads.push_back(std::move(part));
+  const std::span<const Found> found = by_thread ? std::span<const Found>(by_threads) : std::span(&by_caller, 1);
   if (tangled) {
     for (const Found& part : found) tangled->insert(tangled->end(), part.tangled.begin(), part.tangled.end());
     std::sort(tangled->begin(), tangled->end());
