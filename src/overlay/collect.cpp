@@ -169,7 +169,7 @@ void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands)
 
 Strands collect(const RegionView& a, const RegionView* b, const Options& options, Control& control,
                 Statistics& statistics) {
-  const StageClock clock(statistics, Stage::collect);
+  const StageClock clock(control, statistics, Stage::collect);
   Strands strands;
   strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
   const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);

@@ -97,10 +97,12 @@ DisjointSets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& ord
 
 }  // namespace
 
+bool worth_dividing(const Strands& strands) { return strands.points.size() > batch_vertices && strands.size() > 1; }
+
 IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   IndependentParts parts;
   const auto count = static_cast<std::uint32_t>(strands.size());
-  if (strands.points.size() <= batch_vertices || count == 1) {
+  if (!worth_dividing(strands)) {
     parts.strands.resize(count);
     std::iota(parts.strands.begin(), parts.strands.end(), 0U);
     parts.ends = {count};

@@ -30,6 +30,9 @@ struct PartNeeds {
   bool b = false;
 };
 
+/// False for a small call, and for one strand.
+bool worth_dividing(const noding::Strands& strands);
+
 /// Batches of parts. One batch of all strands where dividing would not pay; otherwise parts without an operand they
 /// need are left out. Parts may be larger than they have to be, never smaller. Cost: O(n log n) at most; memory
 /// O(strands).

@@ -28,7 +28,7 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
     if (std::optional<RegionSet> result = classics::fast_overlay(a, *b, operation, options)) return *std::move(result);
 
   Statistics statistics;
-  Control control(options.progress);
+  Control control(options);
   PipelineResult result;
   const auto work = [&] { result = run_pipeline(a, b, operation, options, control, statistics); };
   // So few edges are never divided among threads, however often they cross; not to ask for any saves a microsecond.

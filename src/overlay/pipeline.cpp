@@ -34,7 +34,7 @@ void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, 
 }
 
 ChainGraph node_stage(noding::Strands strands, const Options& options, Control& control, Statistics& statistics) {
-  const StageClock clock(statistics, Stage::node);
+  const StageClock clock(control, statistics, Stage::node);
   noding::NodingReport report(options.statistics != nullptr);
   ChainGraph graph = build_chain_graph(node_strands(std::move(strands), report, control, statistics));
   if (options.statistics) report_noding(report, graph, statistics);
@@ -43,7 +43,7 @@ ChainGraph node_stage(noding::Strands strands, const Options& options, Control& 
 
 std::vector<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
   control.checkpoint(Stage::label, 0);
-  const StageClock clock(statistics, Stage::label);
+  const StageClock clock(control, statistics, Stage::label);
   switch (engine) {
     case Engine::vatti:
       return vatti::label(graph);
@@ -68,7 +68,7 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
   if (options.engine == Engine::skvortsov) {
     skvortsov::Extracted extracted = skvortsov::extract(graph, operation, options, control, statistics);
     control.checkpoint(Stage::assemble, 0);
-    const StageClock clock(statistics, Stage::assemble);
+    const StageClock clock(control, statistics, Stage::assemble);
     return finish(std::move(extracted.rings), extracted.nesting, options);
   }
 
@@ -79,7 +79,7 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
   control.checkpoint(Stage::select, 0);
   Selection selection;
   {
-    const StageClock clock(statistics, Stage::select);
+    const StageClock clock(control, statistics, Stage::select);
     selection = select(graph, right, operation, options);
   }
 
@@ -88,14 +88,14 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
   LinkedContours linked;
   Rings rings;
   {
-    const StageClock clock(statistics, Stage::link);
+    const StageClock clock(control, statistics, Stage::link);
     linked = link(graph, selection, options.contours);
     rings = contours_to_rings(graph, selection, linked);
   }
 
   // 6. assemble
   control.checkpoint(Stage::assemble, 0);
-  const StageClock clock(statistics, Stage::assemble);
+  const StageClock clock(control, statistics, Stage::assemble);
   const Nesting nesting = nest(graph, selection, linked, rings);
   return finish(std::move(rings), nesting, options);
 }
@@ -166,7 +166,7 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   add_parts(done, elapsed.count(), statistics);
-  const StageClock clock(statistics, Stage::assemble);
+  const StageClock clock(control, statistics, Stage::assemble);
   return {join(std::move(regions)), touches};
 }
 
@@ -176,16 +176,17 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation 
                             Control& control, Statistics& statistics) {
   // 1. collect
   noding::Strands strands = collect(a, b, options, control, statistics);
+
+  // 2 to 6, part by part; a small call as it is
+  if (!worth_dividing(strands)) return overlay_strands(std::move(strands), operation, options, control, statistics);
   IndependentParts parts;
   {
-    const StageClock clock(statistics, Stage::collect);
+    const StageClock clock(control, statistics, Stage::collect);
     const bool both = operation == Operation::intersection;
     parts = independent_parts(strands, {both || operation == Operation::difference, both});
   }
-
-  // 2 to 6, part by part
   if (parts.size() != 1) return overlay_parts(std::move(strands), parts, operation, options, control, statistics);
-  // One batch of all strands as they are, as in every small call, is not copied.
+  // One batch of all strands as they are is not copied.
   if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
     strands = only_batch(std::move(strands), parts, 0);
   return overlay_strands(std::move(strands), operation, options, control, statistics);

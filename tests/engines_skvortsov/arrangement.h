@@ -11,7 +11,7 @@
 namespace oblast::testing {
 
 inline ChainGraph arrangement_of(const generators::Operands& operands, const Options& options) {
-  Control control(options.progress);
+  Control control(options);
   Statistics statistics;
   const RegionView a = operands.a, b = operands.b;
   noding::NodingReport report;

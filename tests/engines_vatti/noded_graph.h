@@ -13,7 +13,7 @@ namespace oblast {
 inline ChainGraph noded_graph(const RegionView& a, const RegionSet* b, const FillRule& rule) {
   Options options;
   options.fill_a = options.fill_b = rule;
-  Control control(options.progress);
+  Control control(options);
   Statistics statistics;
   const RegionView b_view = b ? b->view() : RegionView{};
   noding::NodingReport report;

@@ -211,7 +211,7 @@ TEST(Node, settlesHostileInput) {
       const auto operands = generator.make(seed, 80);
       Options options;
       options.fill_a = options.fill_b = FillRule::nonzero();
-      Control control(options.progress);
+      Control control(options);
       Statistics statistics;
       const RegionView b = operands.b;
       NodingReport report;

@@ -78,7 +78,7 @@ TEST(Rounds, cutWhereThereIsAVertexOrARoundedIntersection) {
         const RegionView b = operands.b;
         Options options;
         options.fill_a = options.fill_b = FillRule::nonzero();
-        Control control(options.progress);
+        Control control(options);
         Statistics statistics;
         Strands strands = collect(operands.a, &b, options, control, statistics);
         most = std::max(most, check_rounds(merge_identical_edges(std::move(strands)),

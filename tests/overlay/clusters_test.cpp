@@ -70,7 +70,7 @@ TEST(Clusters, byThemselvesAndTogetherGiveTheSameBytes) {
   }
   {
     Options options;
-    Control control(options.progress);
+    Control control(options);
     Statistics statistics;
     const RegionView b = all.b;
     const auto strands = collect(all.a, &b, options, control, statistics);

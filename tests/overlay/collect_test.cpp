@@ -23,7 +23,7 @@ struct Collected {
 Collected collected(const RegionSet& a, const RegionSet* b = nullptr, FillRule rule = {}) {
   Options options;
   options.fill_a = options.fill_b = rule;
-  Control control(options.progress);
+  Control control(options);
   Collected c;
   const RegionView b_view = b ? b->view() : RegionView{};
   c.strands = collect(a, b ? &b_view : nullptr, options, control, c.statistics);

@@ -21,7 +21,7 @@ struct Noded {
 Noded noded(const std::string& polygons) {
   const RegionSet set = regions_of(polygons);
   const Options options;
-  Control control(options.progress);
+  Control control(options);
   Statistics statistics;
   noding::NodingReport report;
   Noded n;

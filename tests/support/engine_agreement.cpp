@@ -74,7 +74,7 @@ Answer ask(const Operands& operands, const Question& question, Engine engine) {
 
 ChainGraph arrangement(const Operands& operands) {
   const Options options;
-  Control control(options.progress);
+  Control control(options);
   Statistics statistics;
   noding::NodingReport report;
   const RegionView a = operands.a, b = operands.b;

@@ -9,7 +9,7 @@
 namespace oblast::testing {
 
 ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& options) {
-  Control control(options.progress);
+  Control control(options);
   Statistics statistics;
   noding::NodingReport report;
   noding::Strands strands = collect(a, b, options, control, statistics);

@@ -46,7 +46,7 @@ Extracted extract(const ChainGraph& graph, Operation operation, const Options& o
   MarkedMesh marked;
   Classification classes;
   {
-    const StageClock clock(statistics, Stage::label);
+    const StageClock clock(control, statistics, Stage::label);
     control.checkpoint(Stage::label, 0);
     marked = mark_mesh(graph);
     control.checkpoint(Stage::label, 0.8);
@@ -55,11 +55,11 @@ Extracted extract(const ChainGraph& graph, Operation operation, const Options& o
   control.checkpoint(Stage::select, 0);
   Kept kept;
   {
-    const StageClock clock(statistics, Stage::select);
+    const StageClock clock(control, statistics, Stage::select);
     kept = kept_triangles(classes, select_faces(classes, operation, options));
   }
   control.checkpoint(Stage::link, 0);
-  const StageClock clock(statistics, Stage::link);
+  const StageClock clock(control, statistics, Stage::link);
   Contours contours = walk_contours(marked.mesh, kept, options.contours);
   Rings rings = rings_of(marked, contours, classify_nodes(graph, selection_of(graph, marked, kept)));
   return {std::move(rings), std::move(contours.nesting)};
