@@ -23,7 +23,7 @@ using noding::Strands;
 struct Stops {
   std::vector<std::uint32_t> vertex;  ///< by stop
   std::vector<std::uint32_t> chain;   ///< by stop: the chain that starts here; none at the end of a strand
-  std::vector<std::uint32_t> order;   ///< stops, node by node
+  std::vector<noding::Keyed> order;   ///< stops, node by node; the key is 1 where a node begins, else 0
   std::vector<std::uint32_t> ends;    ///< by node: past its last stop in `order`
 
   bool has_chain_before(std::uint32_t stop) const { return stop > 0 && chain[stop - 1] != none; }
@@ -127,7 +127,8 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
   std::vector<Point> places;
   resize_in_large_pages(places, stops.vertex.size());
   for (std::size_t k = 0; k < places.size(); ++k) places[k] = graph.point(stops.vertex[k]);
-  std::vector<noding::Keyed> order = noding::curve_order(places);
+  stops.order = noding::curve_order(places);
+  auto& order = stops.order;
   const auto in_order = [&](const noding::Keyed& p, const noding::Keyed& q) {
     const Point &p_place = places[p.index], &q_place = places[q.index];
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
@@ -138,13 +139,14 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     std::uint32_t first_node = 0, first_list = 0;  ///< how many nodes, and entries of lists, come before
   };
   constexpr std::size_t stops_a_task = 32768;
-  std::vector<Range> ranges{{0}};
+  std::vector<Range> ranges;
+  ranges.reserve(order.size() / stops_a_task + 2);
+  ranges.push_back({0});
   for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
     while (i < order.size() && order[i].key == order[i - 1].key) ++i;
     ranges.push_back({i});
   }
   ranges.push_back({order.size()});
-  std::vector<std::uint8_t> begins_node(order.size());
   for_ranges(ranges.size() - 1, 1, [&](std::size_t range, std::size_t past) {
     for (; range < past; ++range) {
       std::uint32_t nodes = 0, listed = 0;
@@ -152,8 +154,8 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
         for (last = first + 1; last < ranges[range + 1].begin && order[last].key == order[first].key; ++last) continue;
         if (last - first > 1) std::sort(order.data() + first, order.data() + last, in_order);
         for (std::size_t i = first; i < last; ++i) {
-          begins_node[i] = i == first || places[order[i].index] != places[order[i - 1].index];
-          nodes += begins_node[i];
+          order[i].key = i == first || places[order[i].index] != places[order[i - 1].index];
+          nodes += order[i].key;
           listed += stops.degree(order[i].index);
         }
       }
@@ -170,7 +172,6 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
   const std::uint32_t node_count = ranges.back().first_node;
   std::vector<std::uint32_t> node_of;
   resize_in_large_pages(node_of, places.size());
-  stops.order.resize(order.size());
   stops.ends.resize(node_count);
   resize_in_large_pages(graph.node_vertex, node_count);
   resize_in_large_pages(graph.list_ends, node_count);
@@ -179,13 +180,12 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
       std::uint32_t next_node = ranges[range].first_node, list_end = ranges[range].first_list;
       for (std::size_t i = ranges[range].begin; i < ranges[range + 1].begin; ++i) {
         const std::uint32_t stop = order[i].index;
-        if (begins_node[i]) graph.node_vertex[next_node++] = stops.vertex[stop];
+        if (order[i].key == 1) graph.node_vertex[next_node++] = stops.vertex[stop];
         const std::uint32_t node = next_node - 1;
         list_end += stops.degree(stop);
         graph.list_ends[node] = list_end;
         stops.ends[node] = static_cast<std::uint32_t>(i + 1);
         node_of[stop] = node;
-        stops.order[i] = stop;
       }
     }
   });
@@ -228,10 +228,11 @@ bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
   constexpr std::size_t nodes_a_task = 8192;
   for_ranges(graph.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
     std::vector<Aimed> list;
+    list.reserve(16);
     for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
       list.clear();
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
-        const std::uint32_t stop = stops.order[i], vertex = stops.vertex[stop];
+        const std::uint32_t stop = stops.order[i].index, vertex = stops.vertex[stop];
         if (stops.has_chain_before(stop))
           list.push_back({graph.point(vertex - 1), opposite(forward(stops.chain[stop - 1]))});
         if (stops.has_chain_after(stop)) list.push_back({graph.point(vertex + 1), forward(stops.chain[stop])});
