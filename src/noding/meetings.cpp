@@ -83,14 +83,14 @@ class CutList {
   void push_back(const EdgeCut& cut) {
     if (blocks_.empty() || blocks_.back().size() == block_size) {
       blocks_.emplace_back();
-      if (blocks_.size() > 1) blocks_.back().reserve(block_size);
+      blocks_.back().reserve(blocks_.size() > 1 ? block_size : first_reserve);
     }
     blocks_.back().push_back(cut);
   }
   std::span<const std::vector<EdgeCut>> blocks() const { return blocks_; }
 
  private:
-  static constexpr std::size_t block_size = 4096;
+  static constexpr std::size_t block_size = 4096, first_reserve = 32;
   std::vector<std::vector<EdgeCut>> blocks_;
 };
 
@@ -445,7 +445,6 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Sett
     if (checkpoint) checkpoint();
     Found& mine = by_thread ? by_thread->local() : by_caller;
     if (repeats) mine.recent.prepare();
-    mine.cuts.reserve(32);
     MeetingTest test(strands, settling, mine, clearance, tangled != nullptr);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
