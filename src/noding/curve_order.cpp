@@ -146,15 +146,11 @@ class CurveSort {
   }
 
   Box box_of(std::span<const Keyed> part) const {
-    std::vector<Box> boxes(part.size() / points_a_task + 1);
-    for_ranges(boxes.size(), 1, [&](std::size_t i, std::size_t past) {
-      for (; i < past; ++i) {
-        const std::span<const Keyed> keyed = part.subspan(i * points_a_task);
-        const Point& first = points_[part[0].index];
-        boxes[i] = Box::of(first, first);
-        for (const Keyed& k : keyed.first(std::min(keyed.size(), points_a_task)))
-          boxes[i] = boxes[i].joined(points_[k.index]);
-      }
+    std::vector<Box> boxes(range_count(part.size(), points_a_task));
+    for_numbered_ranges(part.size(), points_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      const Point& first = points_[part[begin].index];
+      boxes[i] = Box::of(first, first);
+      for (const Keyed& k : part.subspan(begin, end - begin)) boxes[i] = boxes[i].joined(points_[k.index]);
     });
     for (const Box& box : boxes) boxes[0] = boxes[0].joined(box);
     return boxes[0];

@@ -228,13 +228,9 @@ class Finder {
     };
     // Crossers from one to another, and the others that begin before them.
     const auto match_range = [&](std::size_t first, std::size_t past, std::vector<RunPair>& found) {
-      const auto first_other = [&](std::size_t crosser) {
-        if (crosser == 0) return std::size_t{0};
-        const Entry& previous = crossers[crosser - 1];
-        return static_cast<std::size_t>(std::lower_bound(others.begin(), others.end(), previous, before) -
-                                        others.begin());
-      };
-      std::size_t other = first_other(first);
+      const auto begin_other =
+          first == 0 ? others.begin() : std::lower_bound(others.begin(), others.end(), crossers[first - 1], before);
+      auto other = static_cast<std::size_t>(begin_other - others.begin());
       for (std::size_t crosser = first; crosser < past; ++crosser) {
         for (; other < others.size() && before(others[other], crossers[crosser]); ++other)
           match(others[other], crossers.subspan(crosser), found);

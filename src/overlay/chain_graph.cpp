@@ -39,21 +39,18 @@ class ChainCutter {
 
   Stops run() {
     constexpr std::size_t vertices_a_range = 1 << 16;
-    const std::size_t count = strands_.points.size() / vertices_a_range + 1;
+    const std::size_t size = strands_.points.size(), count = range_count(size, vertices_a_range);
     std::vector<Range> ranges(count + 1);
-    const auto for_each = [&](const auto& visit) {
-      for_ranges(count, 1, [&](std::size_t i, std::size_t past) {
-        for (; i < past; ++i)
-          visit(i, i * vertices_a_range, std::min((i + 1) * vertices_a_range, strands_.points.size()));
-      });
-    };
-    for_each([&](std::size_t i, std::size_t begin, std::size_t end) { ranges[i + 1] = counted(begin, end); });
+    for_numbered_ranges(size, vertices_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      ranges[i + 1] = counted(begin, end);
+    });
     for (std::size_t i = 0; i < count; ++i) ranges[i + 1].add(ranges[i]);
     Stops stops;
     resize_in_large_pages(stops.vertex, ranges[count].stops);
     resize_in_large_pages(stops.chain, ranges[count].stops);
     resize_in_large_pages(graph_.chains, ranges[count].chains);
-    for_each([&](std::size_t i, std::size_t begin, std::size_t end) { cut(begin, end, ranges[i], stops); });
+    for_numbered_ranges(size, vertices_a_range,
+                        [&](std::size_t i, std::size_t begin, std::size_t end) { cut(begin, end, ranges[i], stops); });
     return stops;
   }
 

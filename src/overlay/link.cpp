@@ -18,8 +18,8 @@ struct Paths {
   ContourConvention convention;
   std::vector<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
   std::vector<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
-  std::vector<std::uint32_t>
-      place_on_path;  ///< by node, for ogc: index in the path of the descriptor that starts there
+  /// By node, for ogc: index in the path of the descriptor that starts there.
+  std::vector<std::uint32_t> place_on_path;
 
   bool leaves(Descriptor d) const { return selection[chain_of(d)] == d; }
   bool arrives(Descriptor d) const { return selection[chain_of(d)] == opposite(d); }
@@ -125,15 +125,11 @@ class Linker {
   LinkedContours run() {
     find_successors();
     // Nodes that are near in the plane are near in memory, so most short walks stay within a range.
-    constexpr std::uint32_t nodes_a_range = 8192;
-    const auto node_count = static_cast<std::uint32_t>(paths_.graph.node_count());
-    const std::uint32_t ranges = node_count <= nodes_a_range ? 0 : node_count / nodes_a_range + 1;
-    std::vector<WalkCollector> collectors(ranges + 1, WalkCollector(paths_));
-    for_ranges(ranges, 1, [&](std::size_t range, std::size_t past) {
-      for (; range < past; ++range) {
-        const std::uint32_t begin = static_cast<std::uint32_t>(range) * nodes_a_range;
-        if (begin < node_count) collectors[range].collect_near(begin, std::min(begin + nodes_a_range, node_count));
-      }
+    constexpr std::size_t nodes_a_range = 8192;
+    const std::size_t node_count = paths_.graph.node_count(), in_ranges = node_count <= nodes_a_range ? 0 : node_count;
+    std::vector<WalkCollector> collectors(range_count(in_ranges, nodes_a_range) + 1, WalkCollector(paths_));
+    for_numbered_ranges(in_ranges, nodes_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      collectors[i].collect_near(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
     });
     WalkCollector& others = collectors.back();
     for (const Descriptor d : paths_.graph.lists)

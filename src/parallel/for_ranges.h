@@ -20,4 +20,16 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
+/// How many ranges of `size` indices, the last of them shorter, make up [0, count).
+constexpr std::size_t range_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+
+/// Calls body(i, begin, end) for the i-th of these ranges, side by side: the same ones on any number of cores, so that
+/// what is found in each can be kept by its number.
+template <class Body>
+void for_numbered_ranges(std::size_t count, std::size_t size, const Body& body) {
+  for_ranges(range_count(count, size), 1, [&](std::size_t i, std::size_t past) {
+    for (; i < past; ++i) body(i, i * size, (i + 1) * size < count ? (i + 1) * size : count);
+  });
+}
+
 }  // namespace oblast

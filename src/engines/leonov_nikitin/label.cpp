@@ -74,10 +74,9 @@ class Labelling {
     boxes_.resize(labels.component_count);
     resize_in_large_pages(component_of_, graph_.chains.size(), none);
     constexpr std::size_t chains_a_range = 16384;
-    std::vector<std::vector<Part>> parts(graph_.chains.size() / chains_a_range + 1);
-    for_ranges(parts.size(), 1, [&](std::size_t range, std::size_t past) {
-      for (; range < past; ++range)
-        parts[range] = parts_of(range * chains_a_range, (range + 1) * chains_a_range, labels);
+    std::vector<std::vector<Part>> parts(range_count(graph_.chains.size(), chains_a_range));
+    for_numbered_ranges(graph_.chains.size(), chains_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      parts[i] = parts_of(begin, end, labels);
     });
     for (const std::vector<Part>& range : parts)
       for (const Part& part : range) add(part);
@@ -85,7 +84,6 @@ class Labelling {
 
   std::vector<Part> parts_of(std::size_t begin, std::size_t end, const RelativeLabels& labels) {
     std::vector<Part> parts;
-    end = std::min(end, graph_.chains.size());
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       if (!graph_.is_live(c)) continue;
       const Chain& chain = graph_.chains[c];

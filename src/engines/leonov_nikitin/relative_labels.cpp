@@ -175,17 +175,14 @@ RelativeLabels label_relatively(const ChainGraph& graph) {
     labels.component_count = all.pieces;
     return labels;
   }
-  const std::uint32_t ranges = (node_count + range_size - 1) / range_size;
+  const std::size_t ranges = range_count(node_count, range_size);
   std::vector<std::vector<Border>> borders(ranges);
   std::vector<std::uint32_t> pieces(ranges), first_piece(ranges);
-  for_ranges(ranges, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) {
-      const std::uint32_t first = static_cast<std::uint32_t>(r) * range_size;
-      RangeLabelling range(graph, first, std::min(first + range_size, node_count), labels);
-      range.run();
-      pieces[r] = range.pieces;
-      borders[r] = std::move(range.borders);
-    }
+  for_numbered_ranges(node_count, range_size, [&](std::size_t r, std::size_t begin, std::size_t end) {
+    RangeLabelling range(graph, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), labels);
+    range.run();
+    pieces[r] = range.pieces;
+    borders[r] = std::move(range.borders);
   });
   std::exclusive_scan(pieces.begin(), pieces.end(), first_piece.begin(), 0U);
   join_pieces(graph, borders, first_piece, first_piece.back() + pieces.back(), labels);
