@@ -1,6 +1,7 @@
 #include "noding/cell_cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "exact/orientation.h"
@@ -172,6 +173,36 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
   start.box = Box::of(points[start.first], points[start.last]);
   end.box = Box::of(points[end.first], points[end.last]);
   return sides;
+}
+
+std::size_t divide_runs(std::span<const Point> points, std::vector<Entry>& entries, std::size_t begin,
+                        const CellCut& cut, std::vector<Entry>& right) {
+  // Where a run lies is hard to foresee, so a block of them is sorted out first, without branches.
+  constexpr std::size_t block = 64;
+  std::array<std::uint8_t, block> on_left, on_right_only;
+  std::size_t left_end = begin;
+  for (std::size_t first = begin, size; first < entries.size(); first += size) {
+    size = std::min(block, entries.size() - first);
+    std::size_t lefts = 0, rights = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool left = reaches_left(low(entries[first + i].box, cut.kind), cut);
+      on_left[lefts] = on_right_only[rights] = static_cast<std::uint8_t>(i);
+      lefts += left;
+      rights += !left;
+    }
+    for (std::size_t i = 0; i < rights; ++i) right.push_back(entries[first + on_right_only[i]]);
+    for (std::size_t i = 0; i < lefts; ++i) {
+      const Entry e = entries[first + on_left[i]];
+      if (!reaches_right(high(e.box, cut.kind), cut)) {
+        entries[left_end++] = e;
+        continue;
+      }
+      const Sides sides = divide_run(points, e, cut);
+      entries[left_end++] = sides.left_part;
+      right.push_back(sides.right_part);
+    }
+  }
+  return left_end;
 }
 
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut) {

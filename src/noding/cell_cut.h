@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "noding/monotone_runs.h"
 
@@ -44,6 +45,11 @@ struct Sides {
 /// By the edges of a run, in whose direction its coordinates never turn back: each goes to the sides it reaches.
 /// Without points the whole run goes.
 Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCut& cut);
+
+/// The same for entries[begin..]: what of them is left of the cut stays in their place, up to the returned index; what
+/// is right of it is appended to `right`.
+std::size_t divide_runs(std::span<const Point> points, std::vector<Entry>& entries, std::size_t begin,
+                        const CellCut& cut, std::vector<Entry>& right);
 
 /// For an entry of one edge: what lies on either side, or within the margin of it, clipped. Rounded outwards: nothing
 /// is lost.

@@ -125,33 +125,43 @@ std::vector<std::uint32_t> repeated_hashes(const Strands& strands, const std::ve
   return std::move(repeated[0]);
 }
 
-}  // namespace
+/// Which part of some of the edges, chosen by the bits of their ends, repeats another one.
+double repeated_part(const Strands& strands) {
+  constexpr std::size_t enough = 1 << 13, edges_a_range = 1 << 15;
+  const std::vector<Point>& points = strands.points;
+  const std::size_t edges = points.size() - 1;
+  const std::uint64_t one_in = edges / enough + 1;
+  const auto is_chosen = [&](std::size_t e) {
+    const std::uint64_t sum = std::bit_cast<std::uint64_t>(points[e].x) + std::bit_cast<std::uint64_t>(points[e + 1].x);
+    return sum * 0x9e3779b97f4a7c15ULL <= ~std::uint64_t{0} / one_in;
+  };
+  std::vector<std::vector<std::uint64_t>> found(range_count(edges, edges_a_range));
+  for_numbered_ranges(edges, edges_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (is_chosen(e)) found[range].push_back(hash(points[e]) + hash(points[e + 1]));
+  });
+  std::vector<std::uint64_t> chosen;
+  for (const auto& hashes : found) chosen.insert(chosen.end(), hashes.begin(), hashes.end());
+  std::sort(chosen.begin(), chosen.end());
+  const auto different = std::unique(chosen.begin(), chosen.end()) - chosen.begin();
+  return chosen.empty() ? 0 : 1 - static_cast<double>(different) / static_cast<double>(chosen.size());
+}
 
-IdenticalEdges identical_edges(const Strands& strands) {
-  IdenticalEdges identical;
-  // Hashes first, classes later: of each edge before it can be found by another one.
+/// Gives classes to edges of which is_candidate(hash) holds, and `none` to all others. There are up to `candidates`.
+/// REQUIRES: class_of holds hashes.
+template <class IsCandidate>
+void classify(const Strands& strands, std::size_t candidates, const IsCandidate& is_candidate,
+              IdenticalEdges& identical) {
   std::vector<std::uint32_t>& class_of = identical.class_of;
-  class_of = hash_edges(strands.points);
-  const std::vector<std::uint32_t> repeated = repeated_hashes(strands, class_of);
-  if (repeated.empty()) return {};
-
-  // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
-  constexpr std::size_t bits_a_hash = 64;
-  HashBits shared(repeated.size(), bits_a_hash);
-  const auto other_bits = [](std::uint32_t hash) { return std::rotl(hash, 16); };
-  for (const std::uint32_t hash : repeated) shared.add(other_bits(hash));
-  std::size_t candidates = 0;
-  for_edges(
-      strands, [](std::uint32_t) {}, [&](std::uint32_t e) { candidates += shared.has(other_bits(class_of[e])); });
   EdgeTable table(strands.points, candidates);
   for_edges(
       strands,
       [&](std::uint32_t e) {
-        if (shared.has(other_bits(class_of[e]))) table.prefetch(class_of[e]);
+        if (is_candidate(class_of[e])) table.prefetch(class_of[e]);
       },
       [&](std::uint32_t e) {
         const std::uint32_t hash = std::exchange(class_of[e], none);
-        if (!shared.has(other_bits(hash))) return;
+        if (!is_candidate(hash)) return;
         const std::uint32_t first = table.find_or_insert(e, hash);
         if (first == e) return;
         if (class_of[first] == none) {
@@ -160,9 +170,44 @@ IdenticalEdges identical_edges(const Strands& strands) {
         }
         class_of[e] = class_of[first];
       });
+}
+
+/// Classes where few edges are repeated: most are told by a look at a few bits.
+void classify_few(const Strands& strands, IdenticalEdges& identical) {
+  const std::vector<std::uint32_t>& hashes = identical.class_of;
+  const std::vector<std::uint32_t> repeated = repeated_hashes(strands, hashes);
+  if (repeated.empty()) return;
+
+  // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
+  constexpr std::size_t bits_a_hash = 64;
+  HashBits shared(repeated.size(), bits_a_hash);
+  const auto other_bits = [](std::uint32_t hash) { return std::rotl(hash, 16); };
+  for (const std::uint32_t hash : repeated) shared.add(other_bits(hash));
+  const auto is_candidate = [&](std::uint32_t hash) { return shared.has(other_bits(hash)); };
+  std::size_t candidates = 0;
+  for_edges(
+      strands, [](std::uint32_t) {}, [&](std::uint32_t e) { candidates += is_candidate(hashes[e]); });
+  classify(strands, candidates, is_candidate, identical);
+}
+
+}  // namespace
+
+IdenticalEdges identical_edges(const Strands& strands) {
+  constexpr std::size_t worth_sampling = 1 << 14;
+  constexpr double many = 0.2;
+  IdenticalEdges identical;
+  const std::size_t edges = strands.points.size();
+  const double part = edges < worth_sampling ? many / 2 : repeated_part(strands);
+  if (part == 0) return {};
+  identical.class_of = hash_edges(strands.points);
+  if (part < many)
+    classify_few(strands, identical);
+  else
+    classify(
+        strands, edges, [](std::uint32_t) { return true; }, identical);
   if (identical.empty()) return {};
   // What is between two strands is no edge.
-  for (const std::uint32_t end : strands.ends) class_of[end - 1] = none;
+  for (const std::uint32_t end : strands.ends) identical.class_of[end - 1] = none;
   return identical;
 }
 

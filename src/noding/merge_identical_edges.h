@@ -19,7 +19,8 @@ struct IdenticalEdges {
   bool empty() const { return first.empty(); }
 };
 
-/// Cost: linear, expected.
+/// Where they are next to none among many, none may be found: noding merges what it meets. Which are found depends on
+/// the set of edges alone. Cost: linear, expected.
 IdenticalEdges identical_edges(const Strands& strands);
 
 /// The strands without repeated edges: of each class one edge is left, as a strand of its own in group 0, or none where

@@ -128,20 +128,15 @@ class Finder {
            keep(CutKind::at_y, cell.box.y0, true) && keep(CutKind::at_y, cell.box.y1, false);
   }
 
-  Sides divide(const Entry& entry, const CellCut& cut, const Cell& cell) const {
-    if (!cell.clipped) return divide_run(run_points(), entry, cut);
-    const Sides sides = divide_edge(points_, entry, cut);
-    if (sides.touches && nearness_.unsure) nearness_.unsure(entry.first);
-    return sides;
-  }
-
   /// What of entries[begin..] is left of the cut stays in their place, up to the returned index.
   std::size_t divide_all(std::vector<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
                          std::vector<Entry>& right) const {
+    if (!cell.clipped) return divide_runs(run_points(), entries, begin, cut, right);
     std::size_t left_end = begin;
     for (std::size_t i = begin; i < entries.size(); ++i) {
       const Entry e = entries[i];
-      const Sides sides = divide(e, cut, cell);
+      const Sides sides = divide_edge(points_, e, cut);
+      if (sides.touches && nearness_.unsure) nearness_.unsure(e.first);
       if (sides.right) right.push_back(sides.right_part);
       if (sides.left) entries[left_end++] = sides.left_part;
     }

@@ -128,7 +128,7 @@ RegionSet join(std::vector<RegionSet> parts) {
       polygons.push_back({view.points[view.contour_begin(view.polygon_begin(p))], i, p, 0, 0});
   }
   // Of one part polygons are in order already, also where two start at the same vertex.
-  std::sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
+  tbb::parallel_sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
     if (p.first != q.first) return lexicographically_less(p.first, q.first);
     return p.index < q.index;
   });

@@ -4,95 +4,33 @@
 #include <numeric>
 
 #include "memory/large_pages.h"
-#include "noding/cell_cut.h"
-#include "overlay/disjoint_sets.h"
+#include "overlay/connected_boxes.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
 
 using noding::Box;
-using noding::Entry;
 using noding::Strands;
 
 constexpr std::uint32_t none = 0xffffffff;
 
 // Fewer vertices are not worth dividing; a batch of this many has its arrays in the second-level cache.
 constexpr std::size_t batch_vertices = 4000;
-constexpr std::size_t leaf_size = 12;
-// A cut that copies more than this separates nothing, and more work than this by strand is not worth it: then all
-// boxes of the cell count as connected.
-constexpr double largest_growth = 1.4;
-constexpr std::size_t work_by_strand = 64;
 
-/// The box of every strand, with the strand as its one edge.
-std::vector<Entry> boxes_of(const Strands& strands) {
-  std::vector<Entry> boxes(strands.size());
-  for (std::uint32_t s = 0; s < strands.size(); ++s) {
-    const std::uint32_t begin = strands.begin(s);
-    Box box = Box::of(strands.points[begin], strands.points[begin]);
-    for (std::uint32_t v = begin + 1; v < strands.ends[s]; ++v) {
-      box = box.joined(strands.points[v]);
+std::vector<Box> boxes_of(const Strands& strands) {
+  std::vector<Box> boxes;
+  resize_in_large_pages(boxes, strands.size());
+  constexpr std::size_t strands_a_task = 1024;
+  for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
+    for (std::size_t s = first; s < past; ++s) {
+      const Point& p = strands.points[strands.begin(s)];
+      Box box = Box::of(p, p);
+      for (std::uint32_t v = strands.begin(s) + 1; v < strands.ends[s]; ++v) box = box.joined(strands.points[v]);
+      boxes[s] = box;
     }
-    boxes[s] = {box, s, s + 1, noding::any_group};
-  }
+  });
   return boxes;
-}
-
-/// Connects boxes that meet: cells are cut in two, as in the search for meetings (pair_finder.h), until few boxes are
-/// left or all of a cell are known to be connected.
-/// `order` becomes the strands in the order of the cells, so that neighbours in the plane are neighbours in memory.
-DisjointSets connect(std::vector<Entry> entries, std::vector<std::uint32_t>& order) {
-  DisjointSets sets(entries.size());
-  std::vector<bool> placed(entries.size(), false);
-  const auto leave = [&](std::size_t begin) {
-    for (std::size_t i = begin; i < entries.size(); ++i) {
-      if (!placed[entries[i].first]) order.push_back(entries[i].first);
-      placed[entries[i].first] = true;
-    }
-    entries.resize(begin);
-  };
-  const std::size_t most_work = entries.size() * work_by_strand;
-  std::size_t work = 0;
-  std::vector<Entry> right;
-  std::vector<std::size_t> stack{0};  // cells, depth first: the one on top owns the tail of `entries`
-  while (!stack.empty()) {
-    const std::size_t begin = stack.back();
-    stack.pop_back();
-    const std::span<const Entry> cell = std::span(entries).subspan(begin);
-    work += cell.size();
-    const bool connected = std::all_of(cell.begin(), cell.end(),
-                                       [&](const Entry& e) { return sets.find(e.first) == sets.find(cell[0].first); });
-    if (connected) {
-      leave(begin);
-      continue;
-    }
-    if (cell.size() <= leaf_size) {
-      for (std::size_t i = 0; i < cell.size(); ++i)
-        for (std::size_t j = i + 1; j < cell.size(); ++j)
-          if (cell[i].box.meets(cell[j].box)) sets.unite(cell[i].first, cell[j].first);
-      leave(begin);
-      continue;
-    }
-    const noding::CellCut cut = noding::best_run_cut(cell, noding::RunParts::whole);
-    if (cut.growth > largest_growth || work > most_work) {
-      for (const Entry& e : cell) sets.unite(cell[0].first, e.first);
-      leave(begin);
-      continue;
-    }
-    right.clear();
-    std::size_t left_end = begin;
-    for (std::size_t i = begin; i < entries.size(); ++i) {
-      const Entry e = entries[i];
-      const noding::Sides sides = noding::divide_run({}, e, cut);
-      if (sides.right) right.push_back(e);
-      if (sides.left) entries[left_end++] = e;
-    }
-    entries.resize(left_end);
-    entries.insert(entries.end(), right.begin(), right.end());
-    stack.push_back(begin);
-    stack.push_back(left_end);
-  }
-  return sets;
 }
 
 }  // namespace
@@ -109,17 +47,15 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     return parts;
   }
 
-  std::vector<std::uint32_t> order;
-  order.reserve(count);
-  DisjointSets sets = connect(boxes_of(strands), order);
+  const ConnectedBoxes connected = connected_boxes(boxes_of(strands));
   struct Part {
     std::uint32_t vertices = 0;
     bool a = false, b = false;
     std::uint32_t batch = none;
   };
-  std::vector<Part> part(count);  // by root
+  std::vector<Part> part(count);  // by component
   for (std::uint32_t s = 0; s < count; ++s) {
-    Part& p = part[sets.find(s)];
+    Part& p = part[connected.component[s]];
     p.vertices += strands.ends[s] - strands.begin(s);
     p.a |= strands.change[s].a != 0;
     p.b |= strands.change[s].b != 0;
@@ -130,7 +66,7 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   std::vector<std::uint32_t> size;  // by batch: its strands
   std::size_t filled = batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
-    Part& p = part[sets.find(s)];
+    Part& p = part[connected.component[s]];
     if ((needs.a && !p.a) || (needs.b && !p.b)) continue;
     if (p.batch == none) {
       if (filled >= batch_vertices) {
@@ -147,8 +83,8 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   std::exclusive_scan(size.begin(), size.end(), parts.ends.begin(), 0U);
   parts.strands.resize(std::accumulate(size.begin(), size.end(), 0U));
   // ends[b] moves from the beginning of the batch to its end as the batch fills.
-  for (const std::uint32_t s : order) {
-    const std::uint32_t batch = part[sets.find(s)].batch;
+  for (const std::uint32_t s : connected.order) {
+    const std::uint32_t batch = part[connected.component[s]].batch;
     if (batch != none) parts.strands[parts.ends[batch]++] = s;
   }
   return parts;

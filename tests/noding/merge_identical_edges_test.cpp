@@ -106,5 +106,30 @@ TEST(MergeIdenticalEdges, keepsTheWindingOfEveryEdge) {
   }
 }
 
+/// Squares of side 1 in a row, `gap` apart; one in `repeated` of them twice.
+Strands squares(int count, double gap, int repeated) {
+  std::vector<testing::Path> paths;
+  for (int i = 0; i < count; ++i) {
+    const double x = i * (1 + gap);
+    for (int copies = i % repeated == repeated - 1 ? 2 : 1; copies > 0; --copies) paths.push_back(closed(box(x, 0, x + 1, 1)));
+  }
+  return strands_of(paths, {1, 0}, 1);
+}
+
+TEST(MergeIdenticalEdges, ofManyEdgesAllWhereSomeAreRepeated) {
+  // Neighbours with a common side are many, one copy in fifty is few: they are found in different ways.
+  for (const auto& [gap, repeated] : {std::pair(0.0, 1 << 30), std::pair(0.5, 50)}) {
+    const Strands strands = squares(20000, gap, repeated), merged = merge_identical_edges(strands);
+    EXPECT_EQ(changes_of(merged), changes_of(strands));
+    EXPECT_EQ(edges_of(merged).size(), changes_of(strands).size());
+    EXPECT_LT(merged.points.size(), strands.points.size());
+  }
+}
+
+TEST(MergeIdenticalEdges, ofManyEdgesNoneRepeated) {
+  const Strands strands = squares(20000, 0.5, 1 << 30);
+  EXPECT_TRUE(identical_edges(strands).empty());
+}
+
 }  // namespace
 }  // namespace oblast::noding

@@ -1,0 +1,158 @@
+// A binary tree over the boxes along the curve; from its lowest level up, each node connects what its two halves have
+// to do with each other. Whatever two nodes side by side look at lies under them alone, so they work side by side. And
+// what is connected already is passed over: where all boxes hang together, nearly everything.
+#include "overlay/connected_boxes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "memory/large_pages.h"
+#include "noding/curve_order.h"
+#include "overlay/disjoint_sets.h"
+#include "parallel/for_ranges.h"
+
+namespace oblast {
+namespace {
+
+using noding::Box;
+
+constexpr std::size_t boxes_a_task = 8192;
+/// More looks than this by box are no gain.
+constexpr std::size_t looks_by_box = 64;
+/// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
+constexpr std::size_t stack_size = 128;
+
+std::vector<std::uint32_t> curve_order(std::span<const Box> boxes) {
+  std::vector<Point> middles;
+  resize_in_large_pages(middles, boxes.size());
+  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
+  });
+  const std::vector<noding::Keyed> keyed = noding::curve_order(middles);
+  std::vector<std::uint32_t> order;
+  resize_in_large_pages(order, boxes.size());
+  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
+  });
+  return order;
+}
+
+class Connector {
+ public:
+  Connector(std::span<const Box> boxes, const std::vector<std::uint32_t>& order) : order_(order), sets_(boxes.size()) {
+    for (std::size_t size = boxes.size(), end = 0;; size = range_count(size, 2)) {
+      begins_.push_back(end);
+      end += size;
+      if (size > 1) continue;
+      begins_.push_back(end);
+      break;
+    }
+    resize_in_large_pages(boxes_, begins_.back());
+    resize_in_large_pages(is_one_, begins_.back(), std::uint8_t{0});
+    for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        boxes_[i] = boxes[order[i]];
+        is_one_[i] = 1;
+      }
+    });
+  }
+
+  std::vector<std::uint32_t> run() {
+    for (std::size_t level = 1; level + 1 < begins_.size(); ++level) {
+      for_ranges(size(level), std::max<std::size_t>(1, boxes_a_task >> level), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) close(level, node);
+      });
+    }
+    std::vector<std::uint32_t> component;
+    resize_in_large_pages(component, order_.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) component[order_[i]] = sets_.find(i);
+    return component;
+  }
+
+ private:
+  struct Pair {
+    std::size_t level, i, j;
+  };
+
+  std::size_t size(std::size_t level) const { return begins_[level + 1] - begins_[level]; }
+  Box& box(std::size_t level, std::size_t node) { return boxes_[begins_[level] + node]; }
+  std::uint8_t& flag(std::size_t level, std::size_t node) { return is_one_[begins_[level] + node]; }
+  static std::uint32_t first_leaf(std::size_t level, std::size_t node) {
+    return static_cast<std::uint32_t>(node << level);
+  }
+
+  void close(std::size_t level, std::size_t node) {
+    const std::size_t left = 2 * node, right = left + 1;
+    box(level, node) = box(level - 1, left);
+    if (right < size(level - 1)) {
+      box(level, node) = box(level, node).joined(box(level - 1, right));
+      if (!connect({level - 1, left, right})) connect_all(level, node);
+    }
+    is_one(level, node);
+  }
+
+  /// What is under i with what is under j. False where that takes too many looks.
+  bool connect(const Pair& nodes) {
+    std::array<Pair, stack_size> stack;
+    std::size_t on_stack = 0, looks = 0;
+    const std::size_t most_looks = looks_by_box << (nodes.level + 1);
+    const auto push = [&](const Pair& p) {
+      if (p.j < size(p.level) && box(p.level, p.i).meets(box(p.level, p.j))) stack[on_stack++] = p;
+    };
+    push(nodes);
+    while (on_stack > 0) {
+      const auto [level, i, j] = stack[--on_stack];
+      if (++looks > most_looks) return false;
+      const std::uint32_t i_first = first_leaf(level, i), j_first = first_leaf(level, j);
+      if (level == 0) {
+        sets_.unite(i_first, j_first);
+        continue;
+      }
+      if (is_one(level, i) && is_one(level, j) && sets_.find(i_first) == sets_.find(j_first)) continue;
+      // What is next to each other on the curve first.
+      push({level - 1, 2 * i, 2 * j + 1});
+      push({level - 1, 2 * i, 2 * j});
+      push({level - 1, 2 * i + 1, 2 * j + 1});
+      push({level - 1, 2 * i + 1, 2 * j});
+    }
+    return true;
+  }
+
+  /// Whether all boxes under a node are known to be connected.
+  bool is_one(std::size_t level, std::size_t node) {
+    std::uint8_t& one = flag(level, node);
+    if (one) return true;
+    const std::size_t left = 2 * node, right = left + 1;
+    one = flag(level - 1, left) &&
+          (right == size(level - 1) || (flag(level - 1, right) && sets_.find(first_leaf(level - 1, left)) ==
+                                                                      sets_.find(first_leaf(level - 1, right))));
+    return one != 0;
+  }
+
+  void connect_all(std::size_t level, std::size_t node) {
+    const std::uint32_t first = first_leaf(level, node);
+    const auto past = static_cast<std::uint32_t>(std::min<std::size_t>(order_.size(), (node + 1) << level));
+    for (std::uint32_t i = first + 1; i < past; ++i) sets_.unite(first, i);
+    for (std::size_t below = 1; below < level; ++below)
+      for (std::size_t n = first >> below; n <= (past - 1) >> below; ++n) flag(below, n) = 1;
+  }
+
+  const std::vector<std::uint32_t>& order_;
+  DisjointSets sets_;                 ///< of places in the order
+  std::vector<Box> boxes_;            ///< level by level, those along the curve first
+  std::vector<std::uint8_t> is_one_;  ///< by node: all under it are known to be connected
+  std::vector<std::size_t> begins_;   ///< by level
+};
+
+}  // namespace
+
+ConnectedBoxes connected_boxes(std::span<const Box> boxes) {
+  ConnectedBoxes connected;
+  if (boxes.empty()) return connected;
+  connected.order = curve_order(boxes);
+  connected.component = Connector(boxes, connected.order).run();
+  return connected;
+}
+
+}  // namespace oblast

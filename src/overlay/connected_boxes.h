@@ -1,0 +1,21 @@
+// Connected boxes: two that meet, directly or by way of others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "noding/monotone_runs.h"
+
+namespace oblast {
+
+struct ConnectedBoxes {
+  std::vector<std::uint32_t> order;      ///< the boxes by their middles along a curve, so that neighbours stay together
+  std::vector<std::uint32_t> component;  ///< by box: a number below the count of boxes, the same for connected ones
+};
+
+/// Where so many boxes lie upon each other that to tell them apart takes too long, all there count as connected; else
+/// only those are that must be. The same on any number of cores. Cost: O(n log n); memory O(n).
+ConnectedBoxes connected_boxes(std::span<const noding::Box> boxes);
+
+}  // namespace oblast

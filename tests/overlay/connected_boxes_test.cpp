@@ -1,0 +1,104 @@
+// Connected boxes against brute force, and where they lie upon each other without meeting.
+#include "overlay/connected_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "generators/random.h"
+#include "overlay/disjoint_sets.h"
+
+namespace oblast {
+namespace {
+
+using generators::Random;
+using noding::Box;
+
+/// By box, the smallest box it is connected with.
+std::vector<std::uint32_t> smallest_connected(const std::vector<Box>& boxes) {
+  DisjointSets sets(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (boxes[i].meets(boxes[j])) sets.unite(i, j);
+  std::vector<std::uint32_t> smallest;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) smallest.push_back(sets.find(i));
+  return smallest;
+}
+
+/// The same from what was found.
+std::vector<std::uint32_t> smallest_of(const ConnectedBoxes& connected) {
+  std::map<std::uint32_t, std::uint32_t> first;
+  std::vector<std::uint32_t> smallest;
+  for (std::uint32_t i = 0; i < connected.component.size(); ++i)
+    smallest.push_back(first.try_emplace(connected.component[i], i).first->second);
+  return smallest;
+}
+
+void expect_order_of_all(const ConnectedBoxes& connected, std::size_t count) {
+  std::vector<std::uint32_t> sorted = connected.order, all(count);
+  std::iota(all.begin(), all.end(), 0U);
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, all);
+}
+
+TEST(ConnectedBoxes, asBruteForceFindsThem) {
+  Random random(1);
+  for (int round = 0; round < 400; ++round) {
+    std::vector<Box> boxes;
+    const int side = random.between(2, 60), largest = random.between(0, 6);
+    for (int i = random.between(1, 300); i > 0; --i) {
+      const double x = random.below(side), y = random.below(side);
+      boxes.push_back({x, y, x + random.between(0, largest), y + random.between(0, largest)});
+    }
+    const ConnectedBoxes connected = connected_boxes(boxes);
+    expect_order_of_all(connected, boxes.size());
+    ASSERT_EQ(smallest_of(connected), smallest_connected(boxes)) << "round " << round;
+  }
+}
+
+TEST(ConnectedBoxes, noneAndOne) {
+  EXPECT_TRUE(connected_boxes({}).order.empty());
+  const Box box{0, 0, 1, 1};
+  EXPECT_EQ(connected_boxes(std::span(&box, 1)).component, std::vector<std::uint32_t>{0});
+}
+
+TEST(ConnectedBoxes, ofManyNothingMeets) {
+  std::vector<Box> boxes;
+  for (int x = 0; x < 200; ++x)
+    for (int y = 0; y < 200; ++y) boxes.push_back({1.0 * x, 1.0 * y, x + 0.5, y + 0.5});
+  const ConnectedBoxes connected = connected_boxes(boxes);
+  EXPECT_EQ(std::set(connected.component.begin(), connected.component.end()).size(), boxes.size());
+}
+
+TEST(ConnectedBoxes, ofManyAllHangTogether) {
+  // Neighbours touch; the last one lies apart.
+  std::vector<Box> boxes;
+  for (int x = 0; x < 300; ++x)
+    for (int y = 0; y < 300; ++y) boxes.push_back({1.0 * x, 1.0 * y, x + 1.0, y + 1.0});
+  boxes.push_back({400, 400, 401, 401});
+  const ConnectedBoxes connected = connected_boxes(boxes);
+  EXPECT_EQ(std::set(connected.component.begin(), connected.component.end()).size(), 2u);
+  EXPECT_NE(connected.component.front(), connected.component.back());
+}
+
+TEST(ConnectedBoxes, thoseThatMeetAreNeverParted) {
+  // A comb of long bars that do not meet, and bars across it far away: boxes of the tree lie upon each other.
+  std::vector<Box> boxes;
+  for (int i = 0; i < 3000; ++i) {
+    const double length = i % 2 == 0 ? 1e6 : 1;
+    boxes.push_back({-length, 10.0 * i, length, 10.0 * i + 1});
+  }
+  const ConnectedBoxes comb = connected_boxes(boxes);
+  for (std::size_t i = 0; i < 3000; ++i)
+    boxes.push_back({10.0 * static_cast<double>(i), -5, 10.0 * static_cast<double>(i) + 1, 1e6});
+  const ConnectedBoxes crossed = connected_boxes(boxes);
+  EXPECT_GE(std::set(comb.component.begin(), comb.component.end()).size(), 1u);
+  const std::vector<std::uint32_t> smallest = smallest_connected(boxes);
+  for (std::size_t i = 0; i < boxes.size(); ++i) ASSERT_EQ(crossed.component[i], crossed.component[smallest[i]]);
+}
+
+}  // namespace
+}  // namespace oblast
