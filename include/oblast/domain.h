@@ -4,6 +4,9 @@
 // gives the argument. Outside it the library throws Error(out_of_domain).
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 namespace oblast {
 
 inline constexpr double domain_smallest = 0x1p-300;
@@ -11,8 +14,10 @@ inline constexpr double domain_largest = 0x1p+300;
 
 /// True for 0 and for magnitudes in [domain_smallest, domain_largest]; false for NaN and infinity.
 constexpr bool in_domain(double coordinate) {
-  const double magnitude = coordinate < 0 ? -coordinate : coordinate;
-  return magnitude == 0 || (magnitude >= domain_smallest && magnitude <= domain_largest);
+  // The bits without the sign are in the order of the magnitudes.
+  constexpr auto magnitude = [](double x) { return std::bit_cast<std::uint64_t>(x) << 1; };
+  constexpr std::uint64_t smallest = magnitude(domain_smallest), largest = magnitude(domain_largest);
+  return magnitude(coordinate) == 0 || magnitude(coordinate) - smallest <= largest - smallest;
 }
 
 }  // namespace oblast

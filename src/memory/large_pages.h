@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -18,6 +19,14 @@ namespace oblast {
 /// Reserves `count` elements in large pages where the system has them.
 template <class T>
 void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
+  if (!items.empty() && items.capacity() < count) {
+    // What is there is moved when the pages are asked for already.
+    std::vector<T> larger;
+    reserve_in_large_pages(larger, count);
+    larger.assign(items.begin(), items.end());
+    items = std::move(larger);
+    return;
+  }
   items.reserve(count);
 #ifdef __linux__
   constexpr std::uintptr_t page = std::uintptr_t{2} << 20;

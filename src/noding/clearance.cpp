@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "noding/largest_ulp.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -16,7 +17,17 @@ double length_bound(const Point& p) { return std::fabs(p.x) + std::fabs(p.y); }
 }  // namespace
 
 Clearance::Clearance(Strands& strands) : strands_(strands) {
-  distance_ = 32 * ulp_of(largest_coordinate(strands.points));
+  constexpr std::size_t points_a_range = 1 << 16;
+  const std::span<const Point> points = strands.points;
+  if (points.size() <= points_a_range) {
+    distance_ = 32 * ulp_of(largest_coordinate(points));
+    return;
+  }
+  std::vector<double> largest(range_count(points.size(), points_a_range));
+  for_numbered_ranges(points.size(), points_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    largest[i] = largest_coordinate(points.subspan(begin, end - begin));
+  });
+  distance_ = 32 * ulp_of(*std::max_element(largest.begin(), largest.end()));
 }
 
 float Clearance::sine_at(const Point& p, const Point& u, const Point& v) const {

@@ -393,44 +393,109 @@ EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* 
   return kept;
 }
 
-/// All cuts in the order of the edges and along them, each once.
-std::vector<EdgeCut> arrange(const Strands& strands, std::span<const Found> found, Settling settling,
-                             Clearance* clearance) {
-  const auto& points = strands.points;
-  std::vector<std::uint32_t> ends;  // by edge: of its cuts in `cuts`
-  resize_in_large_pages(ends, points.size() + 1);
-  for (const Found& part : found)
-    for (const auto& block : part.cuts.blocks())
-      for (const EdgeCut& cut : block) ++ends[cut.edge + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<EdgeCut> cuts;
-  resize_in_large_pages(cuts, ends.back());
-  // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
-  for (const Found& part : found)
-    for (const auto& block : part.cuts.blocks())
-      for (const EdgeCut& cut : block) cuts[ends[cut.edge]++] = cut;
+/// Brings cuts into the order of the edges and along them, each once. By ranges of edges, side by side: first each cut
+/// to the others of its range, then each range by itself.
+class Arrangement {
+ public:
+  Arrangement(const Strands& strands, Settling settling, Clearance* clearance)
+      : strands_(strands), points_(strands.points), settling_(settling), clearance_(clearance) {}
 
-  constexpr std::size_t cuts_a_task = 16384;
-  const std::size_t edges_a_task = 1 + cuts_a_task * points.size() / (points.size() + cuts.size());
-  for_ranges(points.size(), edges_a_task, [&](std::size_t first, std::size_t past) {
-    std::size_t strand = strands.strand_of(static_cast<std::uint32_t>(first));
-    for (std::size_t e = first; e < past; ++e) {
-      EdgeCut *begin = cuts.data() + (e == 0 ? 0 : ends[e - 1]), *end = cuts.data() + ends[e];
-      if (begin == end) continue;
-      const Point &a = points[e], &b = points[e + 1];
+  std::vector<EdgeCut> run(std::span<const Found> found) {
+    std::size_t count = 0;
+    std::vector<std::span<const EdgeCut>> blocks;
+    for (const Found& part : found) {
+      for (const auto& block : part.cuts.blocks()) {
+        blocks.push_back(block);
+        count += block.size();
+      }
+    }
+    edges_a_range_ = std::bit_ceil(grain(points_.size(), count));
+    ranges_.resize(range_count(points_.size(), edges_a_range_));
+    resize_in_large_pages(cuts_, count);
+    scatter(blocks);
+    for_numbered_ranges(points_.size(), edges_a_range_, [&](std::size_t range, std::size_t first, std::size_t past) {
+      ranges_[range].end = arrange(first, past, std::span(cuts_).subspan(ranges_[range].begin, ranges_[range].count()));
+    });
+    auto last = cuts_.begin();
+    for (const Range& range : ranges_) {
+      const auto first = cuts_.begin() + range.begin, past = cuts_.begin() + range.end;
+      last = last == first ? past : std::copy(first, past, last);
+    }
+    cuts_.erase(last, cuts_.end());
+    return std::move(cuts_);
+  }
+
+ private:
+  /// Of the cuts of a range of edges: what is left of them, in the end.
+  struct Range {
+    std::uint32_t begin = 0, end = 0;
+
+    std::uint32_t count() const { return end - begin; }
+  };
+
+  void scatter(std::span<const std::span<const EdgeCut>> blocks) {
+    const auto range_of = [&, bits = std::countr_zero(edges_a_range_)](const EdgeCut& cut) { return cut.edge >> bits; };
+    constexpr std::size_t most_tasks = 16;
+    const std::size_t blocks_a_task = range_count(blocks.size(), most_tasks), count = ranges_.size();
+    const std::size_t tasks = range_count(blocks.size(), blocks_a_task);
+    std::vector<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
+    for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
+      std::uint32_t* const counts = &places[task * count];
+      for (; first < past; ++first)
+        for (const EdgeCut& cut : blocks[first]) ++counts[range_of(cut)];
+    });
+    std::uint32_t sum = 0;
+    for (std::size_t range = 0; range < count; ++range) {
+      ranges_[range].begin = sum;
+      for (std::size_t task = 0; task < tasks; ++task) {
+        std::uint32_t& place = places[task * count + range];
+        place = std::exchange(sum, sum + place);
+      }
+      ranges_[range].end = sum;
+    }
+    for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
+      std::uint32_t* const next = &places[task * count];
+      for (; first < past; ++first)
+        for (const EdgeCut& cut : blocks[first]) cuts_[next[range_of(cut)]++] = cut;
+    });
+  }
+
+  /// Of the edges [first, past). What is left of the cuts is at their beginning, up to the returned index of all.
+  std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeCut> cuts) const {
+    EdgeCut* packed = cuts.data();
+    if (cuts.empty()) return static_cast<std::uint32_t>(packed - cuts_.data());
+    std::vector<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
+    for (const EdgeCut& cut : cuts) ++ends[cut.edge - first + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<EdgeCut> by_edge(cuts.size());
+    // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
+    for (const EdgeCut& cut : cuts) by_edge[ends[cut.edge - first]++] = cut;
+    std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(first));
+    for (EdgeCut *begin = by_edge.data(), *const last = begin + by_edge.size(); begin != last;) {
+      const std::uint32_t e = begin->edge;
+      EdgeCut* const end = by_edge.data() + ends[e - first];
+      const Point &a = points_[e], &b = points_[e + 1];
       EdgeCut* kept = sort_along(a, b, begin, end);
-      if (settling.tolerance > 0) kept = keep_monotone(a, b, begin, kept);
-      if (clearance) {
-        while (strands.ends[strand] <= e) ++strand;
-        clearance->look_along(strand, {begin, kept});
+      if (settling_.tolerance > 0) kept = keep_monotone(a, b, begin, kept);
+      if (clearance_) {
+        while (strands_.ends[strand] <= e) ++strand;
+        clearance_->look_along(strand, {begin, kept});
         kept = std::remove_if(begin, kept, [&](const EdgeCut& cut) { return cut.at == a || cut.at == b; });
       }
-      for (; kept != end; ++kept) kept->edge = no_vertex;
+      packed = std::copy(begin, kept, packed);
+      begin = end;
     }
-  });
-  std::erase_if(cuts, [](const EdgeCut& cut) { return cut.edge == no_vertex; });
-  return cuts;
-}
+    return static_cast<std::uint32_t>(packed - cuts_.data());
+  }
+
+  const Strands& strands_;
+  const std::vector<Point>& points_;
+  Settling settling_;
+  Clearance* clearance_;
+  std::size_t edges_a_range_ = 0;  ///< a power of two
+  std::vector<Range> ranges_;
+  std::vector<EdgeCut> cuts_;
+};
 
 }  // namespace
 
@@ -462,7 +527,7 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Sett
     if (!tangled->empty()) return {};
   }
   if (std::all_of(found.begin(), found.end(), [](const Found& part) { return part.cuts.blocks().empty(); })) return {};
-  std::vector<EdgeCut> cuts = arrange(strands, found, settling, clearance);
+  std::vector<EdgeCut> cuts = Arrangement(strands, settling, clearance).run(found);
   if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
   return cuts;

@@ -1,6 +1,7 @@
 #include "noding/monotone_runs.h"
 
 #include "memory/large_pages.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -16,23 +17,34 @@ unsigned heading(const Point& p, const Point& q) {
 /// Right and left, or up and down.
 bool turns_back(unsigned headings) { return (headings & headings >> 1 & 0b0101) != 0; }
 
-}  // namespace
+class RunFinder {
+ public:
+  RunFinder(const Strands& strands, Grouping grouping) : strands_(strands), grouping_(grouping) {}
 
-std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
-  std::vector<Run> runs;
-  reserve_in_large_pages(runs, strands.points.size() / 2 + 16);
-  const auto& points = strands.points;
-  const auto group_of = [&](std::size_t strand) {
-    const bool grouped = grouping == Grouping::by_strand && strands.simplicity[strand] == Simplicity::known;
-    return grouped ? strands.group[strand] : any_group;
-  };
-  const auto piece_moved = [&](std::uint32_t edge) { return (strands.flags[edge] & moved_flag) != 0; };
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    const std::uint32_t last_vertex = strands.ends[s] - 1;
-    const Group group = group_of(s);
-    for (std::uint32_t first = strands.begin(s); first < last_vertex;) {
-      const std::uint32_t longest = std::min(first + longest_run, last_vertex);
-      const bool by_moved = grouping == Grouping::by_moved, moved = by_moved && piece_moved(first);
+  /// Of the edges [begin, end). A run that goes on behind them is parted there.
+  std::vector<Run> find(std::size_t begin, std::size_t end) const {
+    std::vector<Run> runs;
+    reserve_in_large_pages(runs, (end - begin) / 2 + 16);
+    auto first = static_cast<std::uint32_t>(begin);
+    for (std::size_t s = strands_.strand_of(first); s < strands_.size() && strands_.begin(s) < end; ++s) {
+      first = std::max(first, strands_.begin(s));
+      add_runs(s, first, std::min(strands_.ends[s] - 1, static_cast<std::uint32_t>(end)), runs);
+    }
+    return runs;
+  }
+
+ private:
+  bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
+
+  /// Of the edges [first, past) of a strand.
+  void add_runs(std::size_t strand, std::uint32_t first, std::uint32_t past, std::vector<Run>& runs) const {
+    const std::vector<Point>& points = strands_.points;
+    const bool by_moved = grouping_ == Grouping::by_moved;
+    const bool grouped = grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known;
+    const Group group = grouped ? strands_.group[strand] : any_group;
+    while (first < past) {
+      const std::uint32_t longest = std::min(first + longest_run, past);
+      const bool moved = by_moved && piece_moved(first);
       unsigned headings = heading(points[first], points[first + 1]);
       std::uint32_t last = first + 1;
       for (; last < longest; ++last) {
@@ -44,6 +56,31 @@ std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
       first = last;
     }
   }
+
+  const Strands& strands_;
+  Grouping grouping_;
+};
+
+}  // namespace
+
+std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
+  constexpr std::size_t edges_a_range = 1 << 18;  // whose runs fill large pages
+  const RunFinder finder(strands, grouping);
+  const std::size_t edges = strands.points.size();
+  if (edges <= edges_a_range) return finder.find(0, edges);
+  std::vector<std::vector<Run>> found(range_count(edges, edges_a_range));
+  for_numbered_ranges(edges, edges_a_range,
+                      [&](std::size_t i, std::size_t begin, std::size_t end) { found[i] = finder.find(begin, end); });
+  std::vector<std::size_t> begins(found.size() + 1);
+  for (std::size_t i = 0; i < found.size(); ++i) begins[i + 1] = begins[i] + found[i].size();
+  std::vector<Run> runs;
+  resize_in_large_pages(runs, begins.back());
+  for_ranges(found.size(), 1, [&](std::size_t i, std::size_t past) {
+    for (; i < past; ++i) {
+      std::copy(found[i].begin(), found[i].end(), runs.begin() + static_cast<std::ptrdiff_t>(begins[i]));
+      found[i] = {};
+    }
+  });
   return runs;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "memory/large_pages.h"
+#include "overlay/smallest_vertex.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -46,13 +47,13 @@ struct PolygonKey {
 };
 
 Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
-  std::uint32_t best = rings.begin(ring);
-  for (std::uint32_t v = best + 1; v < rings.ends[ring]; ++v) {
-    if (lexicographically_less(rings.points[v], rings.points[best])) best = v;
-  }
+  const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
+  const auto [first, repeated] = smallest_vertex(std::span(rings.points).subspan(begin, end - begin));
+  const std::uint32_t best = begin + first;
   Rotation rotation(rings, ring, best);
+  if (!repeated) return rotation;
   // Under leonov_nikitin a contour may come by its smallest vertex more than once.
-  for (std::uint32_t v = best + 1; v < rings.ends[ring]; ++v) {
+  for (std::uint32_t v = best + 1; v < end; ++v) {
     if (rings.points[v] != rings.points[best]) continue;
     const Rotation other(rings, ring, v);
     if (other < rotation) rotation = other;

@@ -123,7 +123,10 @@ class ChainCutter {
 void number_nodes(ChainGraph& graph, Stops& stops) {
   std::vector<Point> places;
   resize_in_large_pages(places, stops.vertex.size());
-  for (std::size_t k = 0; k < places.size(); ++k) places[k] = graph.point(stops.vertex[k]);
+  constexpr std::size_t stops_a_task = 32768;
+  for_ranges(places.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) places[k] = graph.point(stops.vertex[k]);
+  });
   stops.order = noding::curve_order(places);
   auto& order = stops.order;
   const auto in_order = [&](const noding::Keyed& p, const noding::Keyed& q) {
@@ -135,7 +138,6 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     std::size_t begin;
     std::uint32_t first_node = 0, first_list = 0;  ///< how many nodes, and entries of lists, come before
   };
-  constexpr std::size_t stops_a_task = 32768;
   std::vector<Range> ranges;
   ranges.reserve(order.size() / stops_a_task + 2);
   ranges.push_back({0});
@@ -251,14 +253,36 @@ bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
 
 /// Step 4: takes chains that are not live out of the lists.
 void drop_dead_chains(ChainGraph& graph) {
-  std::uint32_t kept = 0, begin = 0;
-  for (std::uint32_t& end : graph.list_ends) {
-    for (std::uint32_t i = begin; i < end; ++i)
-      if (graph.is_live(chain_of(graph.lists[i]))) graph.lists[kept++] = graph.lists[i];
-    begin = end;
-    end = kept;
+  // Each range of nodes packs its lists at their beginning; then the ranges are moved together.
+  struct Range {
+    std::uint32_t begin = 0, kept = 0, before = 0;
+  };
+  constexpr std::size_t nodes_a_range = 1 << 14;
+  std::vector<Range> ranges(range_count(graph.node_count(), nodes_a_range));
+  for (std::size_t range = 1; range < ranges.size(); ++range)
+    ranges[range].begin = graph.list_ends[range * nodes_a_range - 1];
+  for_numbered_ranges(graph.node_count(), nodes_a_range, [&](std::size_t range, std::size_t first, std::size_t past) {
+    std::uint32_t begin = ranges[range].begin, kept = begin;
+    for (std::size_t node = first; node < past; ++node) {
+      const std::uint32_t end = graph.list_ends[node];
+      for (std::uint32_t i = begin; i < end; ++i)
+        if (graph.is_live(chain_of(graph.lists[i]))) graph.lists[kept++] = graph.lists[i];
+      begin = end;
+      graph.list_ends[node] = kept - ranges[range].begin;
+    }
+    ranges[range].kept = kept - ranges[range].begin;
+  });
+  std::uint32_t size = 0;
+  for (Range& range : ranges) {
+    const auto first = graph.lists.begin() + range.begin;
+    if (size != range.begin) std::copy(first, first + range.kept, graph.lists.begin() + size);
+    range.before = size;
+    size += range.kept;
   }
-  graph.lists.resize(kept);
+  graph.lists.resize(size);
+  for_numbered_ranges(graph.node_count(), nodes_a_range, [&](std::size_t range, std::size_t first, std::size_t past) {
+    for (std::size_t node = first; node < past; ++node) graph.list_ends[node] += ranges[range].before;
+  });
 }
 
 }  // namespace

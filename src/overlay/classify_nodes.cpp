@@ -1,10 +1,13 @@
 // Which vertices of the result noding left behind, and where the result touches itself.
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <utility>
 #include <vector>
 
+#include "memory/large_pages.h"
 #include "overlay/rings.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -28,6 +31,8 @@ class TraceFinder {
   }
 
  private:
+  static constexpr std::size_t elements_a_task = 16384;
+
   struct Source {
     std::uint32_t node;
     std::uint32_t edge;  ///< input edge whose pieces meet at the node
@@ -46,33 +51,41 @@ class TraceFinder {
   bool is_trace(std::uint32_t node) const { return (flags_[node] & trace_vertex) != 0; }
 
   void flag_touches() {
-    degree_.assign(graph_.node_count(), 0);
-    for (std::uint32_t c = 0; c < selection_.size(); ++c) {
-      if (selection_[c] == none || graph_.chains[c].is_loop()) continue;
-      ++degree_[graph_.chains[c].from];
-      ++degree_[graph_.chains[c].to];
-    }
-    for (std::size_t node = 0; node < flags_.size(); ++node)
-      if (degree_[node] > 2) flags_[node] = touch_vertex;
+    resize_in_large_pages(degree_, graph_.node_count());
+    for_ranges(graph_.node_count(), elements_a_task, [&](std::size_t begin, std::size_t end) {
+      for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
+        for (const Descriptor d : graph_.list(node)) degree_[node] += selection_[chain_of(d)] != none;
+        if (degree_[node] > 2) flags_[node] = touch_vertex;
+      }
+    });
   }
 
   void find_sources() {
-    std::vector<bool> input_vertex(graph_.node_count(), false);
-    for (const Chain& chain : graph_.chains) {
-      if (chain.is_loop() || !graph_.is_live(chain.merged_into)) continue;
-      if (!added(chain.first)) input_vertex[chain.from] = true;
-      if (!added(chain.last)) input_vertex[chain.to] = true;
-    }
-    // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
-    for (std::size_t c = 1; c < graph_.chains.size(); ++c) {
-      const Chain &before = graph_.chains[c - 1], &after = graph_.chains[c];
-      if (before.last != after.first || after.is_loop() || !added(after.first)) continue;
-      const std::uint32_t node = after.from;
-      if (!is_selected(before) || !is_selected(after) || before.merged_into == after.merged_into) continue;
-      if (degree_[node] != 2 || input_vertex[node]) continue;
-      flags_[node] |= trace_vertex;
-      sources_.push_back({node, graph_.strands.origin[after.first]});
-    }
+    std::vector<std::uint8_t> input_vertex(graph_.node_count(), 0);
+    const auto note = [&](std::uint32_t node) {
+      std::atomic_ref(input_vertex[node]).store(1, std::memory_order_relaxed);
+    };
+    for_ranges(graph_.chains.size(), elements_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        const Chain& chain = graph_.chains[c];
+        if (chain.is_loop() || !graph_.is_live(chain.merged_into)) continue;
+        if (!added(chain.first)) note(chain.from);
+        if (!added(chain.last)) note(chain.to);
+      }
+    });
+    std::vector<std::vector<Source>> found(range_count(graph_.chains.size(), elements_a_task));
+    for_numbered_ranges(graph_.chains.size(), elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
+      // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
+      for (std::size_t c = std::max<std::size_t>(begin, 1); c < end; ++c) {
+        const Chain &before = graph_.chains[c - 1], &after = graph_.chains[c];
+        if (before.last != after.first || after.is_loop() || !added(after.first)) continue;
+        if (degree_[after.from] != 2 || input_vertex[after.from]) continue;
+        if (!is_selected(before) || !is_selected(after) || before.merged_into == after.merged_into) continue;
+        found[i].push_back({after.from, graph_.strands.origin[after.first]});
+      }
+    });
+    for (const std::vector<Source>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
+    for (const Source& source : sources_) flags_[source.node] |= trace_vertex;
     std::sort(sources_.begin(), sources_.end());
     sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
   }

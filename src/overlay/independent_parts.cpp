@@ -21,8 +21,7 @@ constexpr std::size_t batch_vertices = 4000;
 std::vector<Box> boxes_of(const Strands& strands) {
   std::vector<Box> boxes;
   resize_in_large_pages(boxes, strands.size());
-  constexpr std::size_t strands_a_task = 1024;
-  for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(strands.size(), grain(strands.size(), strands.points.size()), [&](std::size_t first, std::size_t past) {
     for (std::size_t s = first; s < past; ++s) {
       const Point& p = strands.points[strands.begin(s)];
       Box box = Box::of(p, p);

@@ -32,15 +32,19 @@ class WalkCollector {
  public:
   explicit WalkCollector(Paths& paths) : paths_(paths) {}
 
-  /// Walks among the nodes [begin, end) only. The others are marked.
+  /// Walks among the nodes [begin, end) only. The others are marked, and their chains noted.
   void collect_near(std::uint32_t begin, std::uint32_t end) {
     const auto& list_ends = paths_.graph.list_ends;
     for (std::uint32_t i = begin == 0 ? 0 : list_ends[begin - 1]; i < list_ends[end - 1]; ++i) {
       const Descriptor d = paths_.graph.lists[i];
-      if (!paths_.leaves(d) || paths_.walk_of_chain[chain_of(d)] != none) continue;
-      collect(chain_of(d), [&](std::uint32_t node, std::uint32_t chain) {
-        return begin <= node && node < end && paths_.walk_of_chain[chain] != far_walk;
-      });
+      if (!paths_.leaves(d)) continue;
+      const std::uint32_t first = chain_of(d);
+      if (paths_.walk_of_chain[first] == none) {
+        collect(first, [&](std::uint32_t node, std::uint32_t chain) {
+          return begin <= node && node < end && paths_.walk_of_chain[chain] != far_walk;
+        });
+      }
+      if (!paths_.is_collected(first)) far_chains.push_back(first);
     }
   }
 
@@ -53,6 +57,7 @@ class WalkCollector {
   std::vector<std::uint32_t> ends;  ///< by contour
   std::vector<std::uint32_t> walk;  ///< by contour
   std::uint32_t walk_count = 0;
+  std::vector<std::uint32_t> far_chains;  ///< begin in the range, and belong to walks that leave it
 
  private:
   /// One walk; or nothing, where it comes to a chain that is not near by its first node.
@@ -132,8 +137,13 @@ class Linker {
       collectors[i].collect_near(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
     });
     WalkCollector& others = collectors.back();
-    for (const Descriptor d : paths_.graph.lists)
-      if (paths_.leaves(d) && !paths_.is_collected(chain_of(d))) others.collect(chain_of(d));
+    if (in_ranges == 0) {
+      for (const Descriptor d : paths_.graph.lists)
+        if (paths_.leaves(d) && !paths_.is_collected(chain_of(d))) others.collect(chain_of(d));
+    }
+    for (const WalkCollector& part : std::span(collectors).first(collectors.size() - 1))
+      for (const std::uint32_t c : part.far_chains)
+        if (!paths_.is_collected(c)) others.collect(c);
     const auto chain_count = static_cast<std::uint32_t>(paths_.selection.size());
     for (std::uint32_t c = 0; c < chain_count; ++c)
       if (paths_.selection[c] != none && paths_.is_loop(c)) others.collect(c);

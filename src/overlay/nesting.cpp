@@ -4,6 +4,7 @@
 
 #include "exact/orientation.h"
 #include "overlay/locate_below.h"
+#include "overlay/smallest_vertex.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -16,14 +17,12 @@ struct Smallest {
 };
 
 /// A ring that touches itself may visit its smallest vertex more than once; one right turn there makes it a hole.
-Smallest smallest_vertex(const Rings& rings, std::size_t ring) {
+Smallest look_at_smallest(const Rings& rings, std::size_t ring) {
   const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
+  const auto [first, repeated] = smallest_vertex(std::span(rings.points).subspan(begin, end - begin));
   Smallest found;
-  std::uint32_t best = begin;
-  for (std::uint32_t v = begin + 1; v < end; ++v)
-    if (lexicographically_less(rings.points[v], rings.points[best])) best = v;
-  const Point p = rings.points[best];
-  for (std::uint32_t v = best; v < end; ++v) {
+  const Point p = rings.points[begin + first];
+  for (std::uint32_t v = begin + first, past = repeated ? end : v + 1; v < past; ++v) {
     if (rings.points[v] != p) continue;
     const Point& before = rings.points[v == begin ? end - 1 : v - 1];
     const Point& after = rings.points[v + 1 == end ? begin : v + 1];
@@ -51,7 +50,7 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   constexpr std::size_t rings_a_task = 1024;
   for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      const Smallest smallest = smallest_vertex(rings, r);
+      const Smallest smallest = look_at_smallest(rings, r);
       nesting.outer[r] = smallest.outer;
       arrivals[r] = smallest.arrival;
     }

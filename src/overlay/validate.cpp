@@ -3,8 +3,11 @@
 #include <oblast/domain.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
+
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -42,8 +45,16 @@ void check_offsets(const RegionView& v, std::size_t operand) {
 
 void validate(const RegionView& operand, std::size_t operand_index) {
   check_offsets(operand, operand_index);
-  for (std::size_t i = 0; i < operand.points.size(); ++i)
-    if (!in_domain(operand.points[i].x) || !in_domain(operand.points[i].y)) throw_at(operand, operand_index, i);
+  constexpr std::size_t points_a_range = 1 << 16;
+  const auto is_good = [](const Point& p) { return in_domain(p.x) && in_domain(p.y); };
+  const std::span points = operand.points;
+  std::atomic<bool> all_good = true;
+  for_ranges(points.size(), points_a_range, [&](std::size_t begin, std::size_t end) {
+    if (!std::all_of(points.begin() + begin, points.begin() + end, is_good)) all_good = false;
+  });
+  if (all_good) return;
+  const auto bad = std::find_if_not(points.begin(), points.end(), is_good);
+  throw_at(operand, operand_index, static_cast<std::size_t>(bad - points.begin()));
 }
 
 }  // namespace oblast

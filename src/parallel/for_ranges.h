@@ -20,6 +20,13 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
+/// So many of `count` indices that have about 2^15 of `parts` parts: the grain of a loop over parts, as the vertices of
+/// chains, where they may be many to an index or few.
+constexpr std::size_t grain(std::size_t count, std::size_t parts) {
+  constexpr std::size_t parts_a_task = 1 << 15;
+  return 1 + parts_a_task * count / (count + parts + 1);
+}
+
 /// How many ranges of `size` indices, the last of them shorter, make up [0, count).
 constexpr std::size_t range_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 

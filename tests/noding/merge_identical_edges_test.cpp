@@ -111,7 +111,8 @@ Strands squares(int count, double gap, int repeated) {
   std::vector<testing::Path> paths;
   for (int i = 0; i < count; ++i) {
     const double x = i * (1 + gap);
-    for (int copies = i % repeated == repeated - 1 ? 2 : 1; copies > 0; --copies) paths.push_back(closed(box(x, 0, x + 1, 1)));
+    for (int copies = i % repeated == repeated - 1 ? 2 : 1; copies > 0; --copies)
+      paths.push_back(closed(box(x, 0, x + 1, 1)));
   }
   return strands_of(paths, {1, 0}, 1);
 }

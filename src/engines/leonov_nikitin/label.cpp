@@ -73,7 +73,7 @@ class Labelling {
     components_.resize(labels.component_count);
     boxes_.resize(labels.component_count);
     resize_in_large_pages(component_of_, graph_.chains.size(), none);
-    constexpr std::size_t chains_a_range = 16384;
+    const std::size_t chains_a_range = grain(graph_.chains.size(), graph_.strands.points.size());
     std::vector<std::vector<Part>> parts(range_count(graph_.chains.size(), chains_a_range));
     for_numbered_ranges(graph_.chains.size(), chains_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
       parts[i] = parts_of(begin, end, labels);

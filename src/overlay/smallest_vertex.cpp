@@ -1,0 +1,41 @@
+#include "overlay/smallest_vertex.h"
+
+#include <vector>
+
+#include "parallel/for_ranges.h"
+
+namespace oblast {
+namespace {
+
+SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t begin, std::size_t end) {
+  SmallestVertex smallest{static_cast<std::uint32_t>(begin), false};
+  for (auto v = static_cast<std::uint32_t>(begin + 1); v < end; ++v) {
+    if (lexicographically_less(ring[v], ring[smallest.vertex]))
+      smallest = {v, false};
+    else if (ring[v] == ring[smallest.vertex])
+      smallest.repeated = true;
+  }
+  return smallest;
+}
+
+}  // namespace
+
+SmallestVertex smallest_vertex(std::span<const Point> ring) {
+  constexpr std::size_t vertices_a_range = 1 << 16;
+  if (ring.size() <= vertices_a_range) return smallest_vertex_between(ring, 0, ring.size());
+  std::vector<SmallestVertex> found(range_count(ring.size(), vertices_a_range));
+  for_numbered_ranges(ring.size(), vertices_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    found[i] = smallest_vertex_between(ring, begin, end);
+  });
+  SmallestVertex smallest = found[0];
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    const Point &p = ring[found[i].vertex], &q = ring[smallest.vertex];
+    if (lexicographically_less(p, q))
+      smallest = found[i];
+    else if (p == q)
+      smallest.repeated = true;
+  }
+  return smallest;
+}
+
+}  // namespace oblast
