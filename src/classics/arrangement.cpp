@@ -36,7 +36,7 @@ void flag_ends(Strands& strands) {
   }
 }
 
-std::vector<noding::EdgeCut> meetings_of(Strands& strands) {
+LargeArray<noding::EdgeCut> meetings_of(Strands& strands) {
   const auto runs = noding::monotone_runs(strands, noding::Grouping::by_strand);
   return noding::find_meetings(strands, runs, {});
 }

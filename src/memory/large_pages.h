@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,14 +16,43 @@
 #include <sys/mman.h>
 #endif
 
+#include "parallel/for_ranges.h"
+
 namespace oblast {
 
-/// Reserves `count` elements in large pages where the system has them.
+/// Leaves new elements as they are until they are written.
 template <class T>
-void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
+class UninitializedAllocator : public std::allocator<T> {
+ public:
+  // Elements that are copied bit by bit and not destroyed begin to live with their memory.
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+  template <class U>
+  struct rebind {
+    using other = UninitializedAllocator<U>;
+  };
+  UninitializedAllocator() = default;
+  template <class U>
+  explicit UninitializedAllocator(const UninitializedAllocator<U>&) {}
+
+  void construct(T*) {}
+  template <class... Arguments>
+  void construct(T* at, Arguments&&... arguments) {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// An array that is resized at no cost, so that what fills it, on all cores, is the first to touch its pages. What is
+/// resized holds anything until then.
+template <class T>
+using LargeArray = std::vector<T, UninitializedAllocator<T>>;
+
+/// Reserves `count` elements in large pages where the system has them.
+template <class T, class Allocator>
+void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count) {
   if (!items.empty() && items.capacity() < count) {
     // What is there is moved when the pages are asked for already.
-    std::vector<T> larger;
+    std::vector<T, Allocator> larger;
     reserve_in_large_pages(larger, count);
     larger.assign(items.begin(), items.end());
     items = std::move(larger);
@@ -36,11 +67,22 @@ void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
 #endif
 }
 
-/// The same for an empty array, and makes them.
+/// The same for an empty array, and makes them. All cores fetch the pages first, since the first touch of one costs
+/// most.
 template <class T>
 void resize_in_large_pages(std::vector<T>& items, std::size_t count, const T& value = {}) {
   reserve_in_large_pages(items, count);
+  constexpr std::size_t page = std::size_t{2} << 20, pages_a_task = 2;
+  char* const memory = reinterpret_cast<char*>(items.data());
+  for_ranges(count * sizeof(T) / page, pages_a_task, [&](std::size_t first, std::size_t past) {
+    for (; first < past; ++first) memory[first * page] = 0;
+  });
   items.resize(count, value);
+}
+template <class T>
+void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
+  reserve_in_large_pages(items, count);
+  items.resize(count);
 }
 
 }  // namespace oblast

@@ -91,7 +91,7 @@ void sort_small(std::span<Keyed> items) {
 
 /// The first digit by one pass through memory; then each of its parts, which fits a cache, by the others, last digit
 /// first.
-void radix_sort(std::span<Keyed> items, std::vector<Keyed>& buffer) {
+void radix_sort(std::span<Keyed> items, LargeArray<Keyed>& buffer) {
   constexpr std::size_t small_part = 1000, parts_a_task = 64;
   if (buffer.size() < items.size()) {
     buffer = {};
@@ -121,11 +121,11 @@ class CurveSort {
   explicit CurveSort(std::span<const Point> points) : points_(points) {
     resize_in_large_pages(items_, points.size());
     for_ranges(items_.size(), points_a_task, [&](std::size_t first, std::size_t past) {
-      for (std::size_t i = first; i < past; ++i) items_[i].index = static_cast<std::uint32_t>(i);
+      for (std::size_t i = first; i < past; ++i) items_[i] = {0, static_cast<std::uint32_t>(i)};
     });
   }
 
-  std::vector<Keyed> run() {
+  LargeArray<Keyed> run() {
     if (!items_.empty()) pending_.push_back({0, static_cast<std::uint32_t>(items_.size())});
     while (!pending_.empty()) {
       const auto [begin, end] = pending_.back();
@@ -192,13 +192,13 @@ class CurveSort {
   };
 
   std::span<const Point> points_;
-  std::vector<Keyed> items_;
-  std::vector<Keyed> buffer_;
+  LargeArray<Keyed> items_;
+  LargeArray<Keyed> buffer_;
   std::vector<Range> pending_;
 };
 
 }  // namespace
 
-std::vector<Keyed> curve_order(std::span<const Point> points) { return CurveSort(points).run(); }
+LargeArray<Keyed> curve_order(std::span<const Point> points) { return CurveSort(points).run(); }
 
 }  // namespace oblast::noding

@@ -5,7 +5,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "memory/large_pages.h"
 
 namespace oblast::noding {
 
@@ -19,6 +20,6 @@ struct Keyed {
 /// many points fall in one of its 2^32 cells, it goes on inside that cell's box, so neighbours of one key may be of
 /// two cells. Cost: O(n), for coordinates of like magnitude; each factor of 2^16 in scale between nested clusters adds
 /// one more pass over the inner one.
-std::vector<Keyed> curve_order(std::span<const Point> points);
+LargeArray<Keyed> curve_order(std::span<const Point> points);
 
 }  // namespace oblast::noding

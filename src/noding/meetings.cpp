@@ -400,7 +400,7 @@ class Arrangement {
   Arrangement(const Strands& strands, Settling settling, Clearance* clearance)
       : strands_(strands), points_(strands.points), settling_(settling), clearance_(clearance) {}
 
-  std::vector<EdgeCut> run(std::span<const Found> found) {
+  LargeArray<EdgeCut> run(std::span<const Found> found) {
     std::size_t count = 0;
     std::vector<std::span<const EdgeCut>> blocks;
     for (const Found& part : found) {
@@ -494,14 +494,14 @@ class Arrangement {
   Clearance* clearance_;
   std::size_t edges_a_range_ = 0;  ///< a power of two
   std::vector<Range> ranges_;
-  std::vector<EdgeCut> cuts_;
+  LargeArray<EdgeCut> cuts_;
 };
 
 }  // namespace
 
-std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
-                                   const std::function<void()>& checkpoint, Clearance* clearance,
-                                   std::vector<std::uint32_t>* tangled) {
+LargeArray<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
+                                  const std::function<void()>& checkpoint, Clearance* clearance,
+                                  std::vector<std::uint32_t>* tangled) {
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
   std::optional<tbb::enumerable_thread_specific<Found>> by_thread;
@@ -527,7 +527,7 @@ std::vector<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Sett
     if (!tangled->empty()) return {};
   }
   if (std::all_of(found.begin(), found.end(), [](const Found& part) { return part.cuts.blocks().empty(); })) return {};
-  std::vector<EdgeCut> cuts = Arrangement(strands, settling, clearance).run(found);
+  LargeArray<EdgeCut> cuts = Arrangement(strands, settling, clearance).run(found);
   if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
   return cuts;

@@ -68,7 +68,7 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
     ++report.rounds;
     std::optional<Clearance> clearance;
     if (grouping == Grouping::none) clearance.emplace(strands);
-    const std::vector<EdgeCut> cuts =
+    const LargeArray<EdgeCut> cuts =
         find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint,
                       clearance ? &*clearance : nullptr, tangled);
     if (!report.tangled.empty()) return strands;

@@ -21,10 +21,10 @@ namespace {
 using noding::Strands;
 
 struct Stops {
-  std::vector<std::uint32_t> vertex;  ///< by stop
-  std::vector<std::uint32_t> chain;   ///< by stop: the chain that starts here; none at the end of a strand
-  std::vector<noding::Keyed> order;   ///< stops, node by node; the key is 1 where a node begins, else 0
-  std::vector<std::uint32_t> ends;    ///< by node: past its last stop in `order`
+  LargeArray<std::uint32_t> vertex;  ///< by stop
+  LargeArray<std::uint32_t> chain;   ///< by stop: the chain that starts here; none at the end of a strand
+  LargeArray<noding::Keyed> order;   ///< stops, node by node; the key is 1 where a node begins, else 0
+  std::vector<std::uint32_t> ends;   ///< by node: past its last stop in `order`
 
   bool has_chain_before(std::uint32_t stop) const { return stop > 0 && chain[stop - 1] != none; }
   bool has_chain_after(std::uint32_t stop) const { return chain[stop] != none; }
@@ -121,7 +121,7 @@ class ChainCutter {
 
 /// Step 2: stops to nodes, and room for their lists.
 void number_nodes(ChainGraph& graph, Stops& stops) {
-  std::vector<Point> places;
+  LargeArray<Point> places;
   resize_in_large_pages(places, stops.vertex.size());
   constexpr std::size_t stops_a_task = 32768;
   for_ranges(places.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
@@ -169,7 +169,7 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
   }
 
   const std::uint32_t node_count = ranges.back().first_node;
-  std::vector<std::uint32_t> node_of;
+  LargeArray<std::uint32_t> node_of;
   resize_in_large_pages(node_of, places.size());
   stops.ends.resize(node_count);
   resize_in_large_pages(graph.node_vertex, node_count);

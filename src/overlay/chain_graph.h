@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "memory/large_pages.h"
 #include "noding/strands.h"
 
 namespace oblast {
@@ -41,10 +42,10 @@ constexpr Descriptor opposite(Descriptor d) { return d ^ 1; }
 
 struct ChainGraph {
   noding::Strands strands;
-  std::vector<Chain> chains;
-  std::vector<std::uint32_t> node_vertex;  ///< by node: one vertex that lies there
-  std::vector<std::uint32_t> list_ends;    ///< by node: past its last descriptor in `lists`
-  std::vector<Descriptor> lists;           ///< connectivity lists, each counter-clockwise (see angular_order.h)
+  LargeArray<Chain> chains;
+  LargeArray<std::uint32_t> node_vertex;  ///< by node: one vertex that lies there
+  LargeArray<std::uint32_t> list_ends;    ///< by node: past its last descriptor in `lists`
+  LargeArray<Descriptor> lists;           ///< connectivity lists, each counter-clockwise (see angular_order.h)
 
   std::size_t node_count() const { return node_vertex.size(); }
   std::span<const Descriptor> list(std::uint32_t node) const {

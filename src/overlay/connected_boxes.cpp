@@ -22,15 +22,15 @@ constexpr std::size_t looks_by_box = 64;
 /// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
 constexpr std::size_t stack_size = 128;
 
-std::vector<std::uint32_t> curve_order(std::span<const Box> boxes) {
-  std::vector<Point> middles;
+LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
+  LargeArray<Point> middles;
   resize_in_large_pages(middles, boxes.size());
   for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
   });
-  const std::vector<noding::Keyed> keyed = noding::curve_order(middles);
-  std::vector<std::uint32_t> order;
+  const LargeArray<noding::Keyed> keyed = noding::curve_order(middles);
+  LargeArray<std::uint32_t> order;
   resize_in_large_pages(order, boxes.size());
   for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> curve_order(std::span<const Box> boxes) {
 
 class Connector {
  public:
-  Connector(std::span<const Box> boxes, const std::vector<std::uint32_t>& order) : order_(order), sets_(boxes.size()) {
+  Connector(std::span<const Box> boxes, const LargeArray<std::uint32_t>& order) : order_(order), sets_(boxes.size()) {
     for (std::size_t size = boxes.size(), end = 0;; size = range_count(size, 2)) {
       begins_.push_back(end);
       end += size;
@@ -58,13 +58,13 @@ class Connector {
     });
   }
 
-  std::vector<std::uint32_t> run() {
+  LargeArray<std::uint32_t> run() {
     for (std::size_t level = 1; level + 1 < begins_.size(); ++level) {
       for_ranges(size(level), std::max<std::size_t>(1, boxes_a_task >> level), [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) close(level, node);
       });
     }
-    std::vector<std::uint32_t> component;
+    LargeArray<std::uint32_t> component;
     resize_in_large_pages(component, order_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) component[order_[i]] = sets_.find(i);
     return component;
@@ -138,9 +138,9 @@ class Connector {
       for (std::size_t n = first >> below; n <= (past - 1) >> below; ++n) flag(below, n) = 1;
   }
 
-  const std::vector<std::uint32_t>& order_;
+  const LargeArray<std::uint32_t>& order_;
   DisjointSets sets_;                 ///< of places in the order
-  std::vector<Box> boxes_;            ///< level by level, those along the curve first
+  LargeArray<Box> boxes_;             ///< level by level, those along the curve first
   std::vector<std::uint8_t> is_one_;  ///< by node: all under it are known to be connected
   std::vector<std::size_t> begins_;   ///< by level
 };

@@ -3,15 +3,15 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast {
 
 struct ConnectedBoxes {
-  std::vector<std::uint32_t> order;      ///< the boxes by their middles along a curve, so that neighbours stay together
-  std::vector<std::uint32_t> component;  ///< by box: a number below the count of boxes, the same for connected ones
+  LargeArray<std::uint32_t> order;      ///< the boxes by their middles along a curve, so that neighbours stay together
+  LargeArray<std::uint32_t> component;  ///< by box: a number below the count of boxes, the same for connected ones
 };
 
 /// Where so many boxes lie upon each other that to tell them apart takes too long, all there count as connected; else

@@ -18,8 +18,8 @@ constexpr std::uint32_t none = 0xffffffff;
 // Fewer vertices are not worth dividing; a batch of this many has its arrays in the second-level cache.
 constexpr std::size_t batch_vertices = 4000;
 
-std::vector<Box> boxes_of(const Strands& strands) {
-  std::vector<Box> boxes;
+LargeArray<Box> boxes_of(const Strands& strands) {
+  LargeArray<Box> boxes;
   resize_in_large_pages(boxes, strands.size());
   for_ranges(strands.size(), grain(strands.size(), strands.points.size()), [&](std::size_t first, std::size_t past) {
     for (std::size_t s = first; s < past; ++s) {

@@ -28,7 +28,7 @@ Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, con
   const std::vector<std::uint8_t> node_flags = classify_nodes(graph, selection);
   const std::vector<Descriptor>& descriptors = linked.descriptors;
   constexpr std::size_t chains_a_task = 16384;
-  std::vector<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
+  LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());
   for_ranges(ends.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "memory/large_pages.h"
 #include "overlay/link.h"
 
 namespace oblast {
@@ -16,7 +17,7 @@ enum RingVertex : std::uint8_t {
 };
 
 struct Rings {
-  std::vector<Point> points;
+  LargeArray<Point> points;
   std::vector<std::uint8_t> flags;  ///< by vertex, RingVertex
   std::vector<std::uint32_t> ends;  ///< by ring: past its last vertex; the first is not repeated
 

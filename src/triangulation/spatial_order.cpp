@@ -26,7 +26,7 @@ int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index
 }  // namespace
 
 std::vector<std::uint32_t> spatial_order(std::span<const Point> points) {
-  const std::vector<noding::Keyed> curve = noding::curve_order(points);
+  const LargeArray<noding::Keyed> curve = noding::curve_order(points);
   std::array<std::uint32_t, most_rounds> place{};
   for (const noding::Keyed& k : curve) ++place[round_of(k.index)];
   std::uint32_t sum = 0;

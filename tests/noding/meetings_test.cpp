@@ -18,7 +18,7 @@ using testing::edges_of;
 using testing::Path;
 using testing::strands_of;
 
-std::vector<EdgeCut> meetings(Strands& strands, Settling settling = {}) {
+LargeArray<EdgeCut> meetings(Strands& strands, Settling settling = {}) {
   return find_meetings(strands, monotone_runs(strands, Grouping::by_strand), settling);
 }
 
@@ -105,7 +105,7 @@ CutOfEdge cut_of(Point a, Point b, const Point& at) {
   return {a.x, a.y, b.x, b.y, at.x, at.y};
 }
 
-std::vector<CutOfEdge> sorted_cuts(const Strands& strands, const std::vector<EdgeCut>& cuts) {
+std::vector<CutOfEdge> sorted_cuts(const Strands& strands, const LargeArray<EdgeCut>& cuts) {
   std::vector<CutOfEdge> all;
   for (const EdgeCut& cut : cuts) all.push_back(cut_of(strands.points[cut.edge], strands.points[cut.edge + 1], cut.at));
   std::sort(all.begin(), all.end());

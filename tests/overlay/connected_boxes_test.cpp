@@ -38,7 +38,7 @@ std::vector<std::uint32_t> smallest_of(const ConnectedBoxes& connected) {
 }
 
 void expect_order_of_all(const ConnectedBoxes& connected, std::size_t count) {
-  std::vector<std::uint32_t> sorted = connected.order, all(count);
+  LargeArray<std::uint32_t> sorted = connected.order, all(count);
   std::iota(all.begin(), all.end(), 0U);
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, all);
@@ -62,7 +62,7 @@ TEST(ConnectedBoxes, asBruteForceFindsThem) {
 TEST(ConnectedBoxes, noneAndOne) {
   EXPECT_TRUE(connected_boxes({}).order.empty());
   const Box box{0, 0, 1, 1};
-  EXPECT_EQ(connected_boxes(std::span(&box, 1)).component, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(connected_boxes(std::span(&box, 1)).component, LargeArray<std::uint32_t>(1, 0));
 }
 
 TEST(ConnectedBoxes, ofManyNothingMeets) {
