@@ -17,6 +17,7 @@
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
 #include "noding/clearance.h"
+#include "noding/edges_in.h"
 #include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
 #include "noding/point_hash.h"
@@ -122,9 +123,11 @@ class MeetingTest {
       test_edges(pair.first_p, pair.first_q);
       return;
     }
-    const std::uint32_t in_q = one_p ? 1 : edges_in(box_of(pair.first_q, pair.last_q), pair.first_p, pair.last_p);
+    const std::uint32_t in_q =
+        one_p ? 1 : edges_in(box_of(pair.first_q, pair.last_q), points_, pair.first_p, pair.last_p);
     if (in_q == 0) return;
-    const std::uint32_t in_p = one_q ? 1 : edges_in(box_of(pair.first_p, pair.last_p), pair.first_q, pair.last_q);
+    const std::uint32_t in_p =
+        one_q ? 1 : edges_in(box_of(pair.first_p, pair.last_p), points_, pair.first_q, pair.last_q);
     const bool boxes_meet = one_p || one_q;
     for (std::uint32_t p = in_q; p != 0; p &= p - 1) {
       const std::uint32_t i = pair.first_p + static_cast<std::uint32_t>(std::countr_zero(p));
@@ -138,15 +141,6 @@ class MeetingTest {
  private:
   /// Of a run between two vertices.
   Box box_of(std::uint32_t first, std::uint32_t last) const { return Box::of(points_[first], points_[last]); }
-
-  /// Bit k: edge first + k reaches into the box.
-  std::uint32_t edges_in(const Box& box, std::uint32_t first, std::uint32_t last) const {
-    static_assert(longest_run <= 32);
-    std::uint32_t found = 0;
-    for (std::uint32_t edge = first; edge < last; ++edge)
-      found |= static_cast<std::uint32_t>(box_of(edge, edge + 1).meets(box)) << (edge - first);
-    return found;
-  }
 
   //        d                 a, b: ends of edge i;  c, d: ends of edge j
   //   a ---+--- b            +: the meeting

@@ -127,7 +127,7 @@ std::vector<std::uint32_t> repeated_hashes(const Strands& strands, const std::ve
 
 /// Which part of some of the edges, chosen by the bits of their ends, repeats another one.
 double repeated_part(const Strands& strands) {
-  constexpr std::size_t enough = 1 << 13, edges_a_range = 1 << 15;
+  constexpr std::size_t enough = 1 << 11, edges_a_range = 1 << 15;
   const std::vector<Point>& points = strands.points;
   const std::size_t edges = points.size() - 1;
   const std::uint64_t one_in = edges / enough + 1;

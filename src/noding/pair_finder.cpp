@@ -16,7 +16,7 @@ namespace {
 // A sweep over so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
 // cut further.
 constexpr std::size_t leaf_size = runs_of_one_cell;
-constexpr std::size_t clipped_leaf_size = 32;
+constexpr std::size_t clipped_leaf_size = 128;
 constexpr std::size_t batch_size = 1024;
 // Cells with a cut better than this growth are content with boxes.
 constexpr double box_growth = 1.2;

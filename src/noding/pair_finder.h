@@ -1,7 +1,7 @@
 // Finding all pairs of runs whose boxes meet: a recursive split of the plane.
 //
 // A cell of the plane with the boxes that touch it is cut at the median of a sample, on the axis that
-// leaves fewer boxes on both sides, until about thirty are left; then every pair is tested. A box that
+// leaves fewer boxes on both sides, until a few hundred are left; then a sweep finds the pairs. A box that
 // straddles the cut goes to both halves, so a pair may be found more than once. A cell all of whose boxes are of
 // one group (strands.h) is dropped at once: this is what makes later rounds, which look only for what
 // the moved pieces can reach, and pairs of large polygons that seldom meet, cheap.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/orientation.h"
+#include "noding/edges_in.h"
 
 namespace oblast::noding {
 namespace {
@@ -27,11 +28,15 @@ bool folds(const Point& u, const Point& v, const Point& w) {
   return lexicographically_less(u, v) != lexicographically_less(v, w) && orientation(u, v, w) == 0;
 }
 
-/// Whether an edge surely gets on in a direction: its product with it is more than the rounding of that.
-bool advances(const Point& a, const Point& b, const Point& direction) {
-  const double x = (b.x - a.x) * direction.x, y = (b.y - a.y) * direction.y;
-  constexpr double safe = 0x1p-40;
-  return x + y > safe * (std::fabs(x) + std::fabs(y));
+/// In which of eight directions, all around, an edge surely gets on: of each a bit.
+std::uint8_t directions_of(const Point& a, const Point& b) {
+  const double x = b.x - a.x, y = b.y - a.y;
+  // More than rounding makes of a sum.
+  const double safe = 0x1p-40 * (std::fabs(x) + std::fabs(y));
+  unsigned directions = 0, bit = 0;
+  for (const bool gets_on : {x > 0, x<0, y> 0, y<0, x + y> safe, x + y<-safe, x - y> safe, x - y < -safe})
+    directions |= static_cast<unsigned>(gets_on) << bit++;
+  return static_cast<std::uint8_t>(directions);
 }
 
 constexpr std::uint32_t longest_leaf = 8;
@@ -46,6 +51,7 @@ void RingTree::build(std::span<const Point> points, std::span<const std::uint32_
   ends_ = ends;
   leaves_.clear();
   boxes_.clear();
+  directions_.clear();
   first_leaves_.clear();
   for (std::uint32_t ring = 0; ring < ends.size(); ++ring) {
     first_leaves_.push_back(static_cast<std::uint32_t>(leaves_.size()));
@@ -56,19 +62,20 @@ void RingTree::build(std::span<const Point> points, std::span<const std::uint32_
 }
 
 void RingTree::add_leaves(std::uint32_t ring, std::uint32_t begin, std::uint32_t last) {
-  constexpr std::uint32_t look_ahead = 4;
+  std::uint8_t next = directions_of(points_[begin], points_[begin + 1]);
   for (std::uint32_t first = begin, past; first < last; first = past) {
-    const Point &from = points_[first], &to = points_[std::min(first + look_ahead, last)];
-    const Point direction{to.x - from.x, to.y - from.y};
-    Box box = Box::of(from, points_[first + 1]);
-    past = first + 1;
-    if (advances(from, points_[past], direction)) {
-      const std::uint32_t most = std::min(first + longest_leaf, last);
-      for (; past < most && advances(points_[past], points_[past + 1], direction); ++past)
-        box = box.joined(points_[past + 1]);
+    Box box = Box::of(points_[first], points_[first + 1]);
+    std::uint8_t directions = next;
+    const std::uint32_t most = std::min(first + longest_leaf, last);
+    for (past = first + 1; past < last; ++past) {
+      next = directions_of(points_[past], points_[past + 1]);
+      if (past == most || (directions & next) == 0) break;
+      directions &= next;
+      box = box.joined(points_[past + 1]);
     }
     leaves_.push_back({first, past, ring});
     boxes_.push_back(box);
+    directions_.push_back(directions);
   }
 }
 
@@ -76,8 +83,16 @@ void RingTree::add_levels() {
   level_begins_.assign({0, static_cast<std::uint32_t>(boxes_.size())});
   for (std::uint32_t level = 0; size(level) > 1; ++level) {
     const std::uint32_t begin = level_begins_[level], end = level_begins_[level + 1];
-    for (std::uint32_t i = begin; i + 1 < end; i += 2) boxes_.push_back(boxes_[i].joined(boxes_[i + 1]));
-    if ((end - begin) % 2 != 0) boxes_.push_back(Box(boxes_[end - 1]));
+    for (std::uint32_t i = begin; i + 1 < end; i += 2) {
+      boxes_.push_back(boxes_[i].joined(boxes_[i + 1]));
+      const std::uint32_t left = (i - begin) << level, right = (i + 1 - begin) << level;
+      const bool one_ring = leaves_[left].ring == leaves_[right].ring;
+      directions_.push_back(one_ring ? directions_[i] & directions_[i + 1] : 0);
+    }
+    if ((end - begin) % 2 != 0) {
+      boxes_.push_back(Box(boxes_[end - 1]));
+      directions_.push_back(std::uint8_t(directions_[end - 1]));
+    }
     level_begins_.push_back(static_cast<std::uint32_t>(boxes_.size()));
   }
 }
@@ -91,7 +106,8 @@ std::optional<bool> RingTree::edges_meet() const {
   std::array<Pair, stack_size> stack;
   std::size_t on_stack = 0, looks = 0;
   const auto push = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
-    if (j < size(level) && (i == j || box(level, i).meets(box(level, j)))) stack[on_stack++] = {level, i, j};
+    if (j >= size(level) || (j <= i + 1 && get_on(level, i, j))) return;
+    if (i == j || box(level, i).meets(box(level, j))) stack[on_stack++] = {level, i, j};
   };
   push(static_cast<std::uint32_t>(level_begins_.size() - 2), 0, 0);
   while (on_stack > 0) {
@@ -110,13 +126,20 @@ std::optional<bool> RingTree::edges_meet() const {
   return false;
 }
 
+/// Whether all pieces under i and j, which are the same or follow one another, get on in one direction.
+bool RingTree::get_on(std::uint32_t level, std::uint32_t i, std::uint32_t j) const {
+  const std::uint8_t* const directions = &directions_[level_begins_[level]];
+  if ((directions[i] & directions[j]) == 0) return false;
+  return i == j || leaves_[i << level].ring == leaves_[j << level].ring;
+}
+
 /// REQUIRES: p < q, and their boxes meet.
 bool RingTree::leaves_meet(std::uint32_t p, std::uint32_t q) const {
   const Leaf &leaf = leaves_[p], &other = leaves_[q];
   const Box common = common_box(boxes_[p], boxes_[q]);
-  const std::uint32_t near_p = edges_in(common, leaf);
+  const std::uint32_t near_p = edges_in(common, points_.data(), leaf.first, leaf.last);
   if (near_p == 0) return false;
-  const std::uint32_t near_q = edges_in(common, other);
+  const std::uint32_t near_q = edges_in(common, points_.data(), other.first, other.last);
   for (std::uint32_t k = near_p; k != 0; k &= k - 1) {
     const std::uint32_t i = leaf.first + static_cast<std::uint32_t>(std::countr_zero(k));
     const Box edge = Box::of(points_[i], points_[i + 1]);
@@ -126,14 +149,6 @@ bool RingTree::leaves_meet(std::uint32_t p, std::uint32_t q) const {
     }
   }
   return false;
-}
-
-/// Bit k: edge first + k of the leaf reaches into the box.
-std::uint32_t RingTree::edges_in(const Box& box, const Leaf& leaf) const {
-  std::uint32_t found = 0;
-  for (std::uint32_t e = leaf.first; e < leaf.last; ++e)
-    found |= static_cast<std::uint32_t>(box.meets(Box::of(points_[e], points_[e + 1]))) << (e - leaf.first);
-  return found;
 }
 
 /// REQUIRES: i < j, and their boxes meet.

@@ -5,9 +5,10 @@
 //   boxes   [     ][     ][     ][]   of two
 //           [            ][       ]   of four, and so on
 //
-// A piece does not meet itself. What follows along a ring lies near by in the plane, so the boxes fit well although
-// nothing was sorted, and building them costs next to nothing. Where a ring wanders about, as stars do, they say
-// little: then there is no answer within a stated number of looks, and the caller has other means.
+// A piece does not meet itself, nor do pieces that follow one another in one direction. What follows along a ring lies
+// near by in the plane, so the boxes fit well although nothing was sorted, and building them costs next to nothing.
+// Where a ring wanders about, as stars do, they say little: then there is no answer within a stated number of looks,
+// and the caller has other means.
 #pragma once
 
 #include <oblast/point.h>
@@ -52,9 +53,9 @@ class RingTree {
   std::uint32_t begin(std::uint32_t ring) const { return ring == 0 ? 0 : ends_[ring - 1]; }
   std::size_t most_looks() const;
 
+  bool get_on(std::uint32_t level, std::uint32_t i, std::uint32_t j) const;
   bool leaves_meet(std::uint32_t p, std::uint32_t q) const;
   bool edges_meet(std::uint32_t i, std::uint32_t j, std::uint32_t ring) const;
-  std::uint32_t edges_in(const Box& box, const Leaf& leaf) const;
   std::optional<bool> is_odd(std::uint32_t ring, std::size_t& looks) const;
   bool left_crossings_are_odd(std::uint32_t first_leaf, std::uint32_t last_leaf, double y) const;
   bool left_crossings_are_odd(std::uint32_t leaf, const Point& p) const;
@@ -64,6 +65,7 @@ class RingTree {
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> first_leaves_;  ///< by ring, and past the last one
   std::vector<Box> boxes_;                   ///< level by level, leaves first
+  std::vector<std::uint8_t> directions_;     ///< as boxes_: a bit for each in which all edges there get on
   std::vector<std::uint32_t> level_begins_;
 };
 
