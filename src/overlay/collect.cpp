@@ -11,6 +11,7 @@
 #include "noding/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -135,9 +136,9 @@ void append(Strands& to, const Strands& from) {
 
 void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
                         Statistics& statistics) {
-  constexpr std::size_t polygons_a_part = 256;
   const PolygonReader reader(operand, is_b, first_group, control);
-  const std::size_t count = operand.polygon_count(), parts = (count + polygons_a_part - 1) / polygons_a_part;
+  const std::size_t count = operand.polygon_count(), polygons_a_part = grain(count, operand.points.size());
+  const std::size_t parts = range_count(count, polygons_a_part);
   const auto read_part = [&](std::size_t part, Strands& to) {
     control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
     return reader.read(part * polygons_a_part, std::min(count, (part + 1) * polygons_a_part), to);
