@@ -1,5 +1,7 @@
 """The chart of bench/run: how many times longer each peer takes, by workload."""
 
+import textwrap
+
 from tables import GOOD, groups, ours
 
 COLOURS = {
@@ -21,6 +23,7 @@ def draw(report, path):
         print("no matplotlib (bench/peers/install): no chart")
         return
     plt.rcParams["svg.hashsalt"] = "oblast"  # the same figures give the same file
+    plt.rcParams["svg.fonttype"] = "none"
     most = max((row["threads"] for row in report["rows"]), default=1)
     chosen = [(key, rows) for key, rows in groups(report["rows"]).items() if key[2] == most and ours(rows)]
     if not chosen:
@@ -47,9 +50,10 @@ def draw(report, path):
     axes.set_yticks(range(len(chosen)), names)
     axes.set_xscale("log")
     axes.axvline(1, color="black", linewidth=1)
-    axes.set_xlabel(f"time divided by oblast's, {most} threads (right of the line: oblast is faster; x: wrong result)")
+    axes.set_xticks([0.5, 1, 2, 5, 10, 20, 50, 100], ["1/2", "1", "2", "5", "10", "20", "50", "100"])
+    axes.set_xlabel(f"time / oblast's, {most} threads; right of 1 oblast is faster; x: wrong result")
     axes.grid(axis="x", which="both", linewidth=0.3)
     axes.legend(loc="lower right")
-    axes.set_title(report["machine"], fontsize=8)
+    axes.set_title("\n".join(textwrap.wrap(report["machine"], 90)), fontsize=8, loc="right")
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})
