@@ -47,6 +47,8 @@ class UninitializedAllocator : public std::allocator<T> {
 template <class T>
 using LargeArray = std::vector<T, UninitializedAllocator<T>>;
 
+inline constexpr std::size_t large_page = std::size_t{2} << 20;
+
 /// Reserves `count` elements in large pages where the system has them.
 template <class T, class Allocator>
 void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count) {
@@ -60,7 +62,7 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
   }
   items.reserve(count);
 #ifdef __linux__
-  constexpr std::uintptr_t page = std::uintptr_t{2} << 20;
+  constexpr std::uintptr_t page = large_page;
   const auto begin = reinterpret_cast<std::uintptr_t>(items.data());
   const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + count * sizeof(T)) / page * page;
   if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - begin), last - first, MADV_HUGEPAGE);
@@ -72,10 +74,10 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
 template <class T>
 void resize_in_large_pages(std::vector<T>& items, std::size_t count, const T& value = {}) {
   reserve_in_large_pages(items, count);
-  constexpr std::size_t page = std::size_t{2} << 20, pages_a_task = 2;
+  constexpr std::size_t pages_a_task = 2;
   char* const memory = reinterpret_cast<char*>(items.data());
-  for_ranges(count * sizeof(T) / page, pages_a_task, [&](std::size_t first, std::size_t past) {
-    for (; first < past; ++first) memory[first * page] = 0;
+  for_ranges(count * sizeof(T) / large_page, pages_a_task, [&](std::size_t first, std::size_t past) {
+    for (; first < past; ++first) memory[first * large_page] = 0;
   });
   items.resize(count, value);
 }

@@ -59,7 +59,7 @@ Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellC
 enum class RunParts : std::uint8_t { edges, whole };
 
 /// The better median cut of the two axes, on a random sample.
-CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin = 0);
+CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin);
 
 /// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
 CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, double margin);

@@ -60,18 +60,17 @@ std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * di
 
 /// Copies to `to` in the order of a digit, those of one digit as they come. `ends` becomes where each digit ends. Large
 /// arrays in a few ranges side by side: first how many of each digit a range has, then to where they go is known.
+/// REQUIRES: items.
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
   constexpr std::size_t items_a_range = 1 << 18;
-  std::vector<Counts> more;  // of all ranges but one
-  const std::size_t ranges = std::max<std::size_t>(1, range_count(from.size(), items_a_range));
-  if (ranges > 1) more.resize(ranges - 1);
+  const std::size_t ranges = range_count(from.size(), items_a_range);
+  std::vector<Counts> more(ranges - 1);  // of all ranges but the last
   const auto counts_of = [&](std::size_t range) -> Counts& { return range + 1 < ranges ? more[range] : ends; };
   for_numbered_ranges(from.size(), items_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Counts& counts = counts_of(range);
     counts.fill(0);
     for (const Keyed& k : from.subspan(begin, end - begin)) ++counts[digit_of(k, digit)];
   });
-  if (from.empty()) ends.fill(0);
   std::uint32_t sum = 0;
   for (std::size_t value = 0; value < radix; ++value)
     for (std::size_t range = 0; range < ranges; ++range) {

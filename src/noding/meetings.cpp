@@ -118,6 +118,7 @@ class MeetingTest {
   /// Every edge of one run against every edge of the other whose boxes meet. First, without branches, the edges of
   /// each that reach into the box of the other: usually few.
   void test_runs(const RunPair& pair) {
+    static_assert(longest_run <= 32);
     const bool one_p = pair.last_p - pair.first_p == 1, one_q = pair.last_q - pair.first_q == 1;
     if (one_p && one_q) {
       test_edges(pair.first_p, pair.first_q);

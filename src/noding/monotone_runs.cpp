@@ -8,12 +8,6 @@ namespace {
 
 constexpr Group settled_group = 1;
 
-/// Where an edge points: right, left, up, down, a bit each.
-unsigned heading(const Point& p, const Point& q) {
-  return static_cast<unsigned>(q.x > p.x) | static_cast<unsigned>(q.x < p.x) << 1 |
-         static_cast<unsigned>(q.y > p.y) << 2 | static_cast<unsigned>(q.y < p.y) << 3;
-}
-
 /// Right and left, or up and down.
 bool turns_back(unsigned headings) { return (headings & headings >> 1 & 0b0101) != 0; }
 

@@ -29,6 +29,12 @@ struct Box {
   }
 };
 
+/// Where an edge points: right, left, up, down, a bit each.
+inline unsigned heading(const Point& p, const Point& q) {
+  return static_cast<unsigned>(q.x > p.x) | static_cast<unsigned>(q.x < p.x) << 1 |
+         static_cast<unsigned>(q.y > p.y) << 2 | static_cast<unsigned>(q.y < p.y) << 3;
+}
+
 /// Edges of a run at most: long ones have boxes that say little, short ones are many. Sixteen measured best.
 inline constexpr std::uint32_t longest_run = 16;
 

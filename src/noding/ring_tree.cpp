@@ -33,10 +33,10 @@ std::uint8_t directions_of(const Point& a, const Point& b) {
   const double x = b.x - a.x, y = b.y - a.y;
   // More than rounding makes of a sum.
   const double safe = 0x1p-40 * (std::fabs(x) + std::fabs(y));
-  unsigned directions = 0, bit = 0;
-  for (const bool gets_on : {x > 0, x<0, y> 0, y<0, x + y> safe, x + y<-safe, x - y> safe, x - y < -safe})
-    directions |= static_cast<unsigned>(gets_on) << bit++;
-  return static_cast<std::uint8_t>(directions);
+  const double rising = x + y, falling = x - y;
+  const unsigned diagonals = static_cast<unsigned>(rising > safe) | static_cast<unsigned>(rising < -safe) << 1 |
+                             static_cast<unsigned>(falling > safe) << 2 | static_cast<unsigned>(falling < -safe) << 3;
+  return static_cast<std::uint8_t>(heading(a, b) | diagonals << 4);
 }
 
 constexpr std::uint32_t longest_leaf = 8;
@@ -135,6 +135,7 @@ bool RingTree::get_on(std::uint32_t level, std::uint32_t i, std::uint32_t j) con
 
 /// REQUIRES: p < q, and their boxes meet.
 bool RingTree::leaves_meet(std::uint32_t p, std::uint32_t q) const {
+  static_assert(longest_leaf <= 32);
   const Leaf &leaf = leaves_[p], &other = leaves_[q];
   const Box common = common_box(boxes_[p], boxes_[q]);
   const std::uint32_t near_p = edges_in(common, points_.data(), leaf.first, leaf.last);

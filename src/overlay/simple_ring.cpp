@@ -8,6 +8,7 @@
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
+#include "overlay/smallest_vertex.h"
 
 namespace oblast {
 namespace {
@@ -49,9 +50,7 @@ int convex_turn(std::span<const Point> ring) {
 }
 
 int turn_at_smallest(std::span<const Point> ring) {
-  const auto smallest =
-      static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
-  const std::size_t n = ring.size();
+  const std::size_t n = ring.size(), smallest = smallest_vertex(ring).vertex;
   return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
 }
 
