@@ -23,38 +23,49 @@ using noding::Strands;
 struct Stops {
   LargeArray<std::uint32_t> vertex;  ///< by stop
   LargeArray<std::uint32_t> chain;   ///< by stop: the chain that starts here; none at the end of a strand
+  LargeArray<std::uint32_t> node;    ///< by stop
   LargeArray<noding::Keyed> order;   ///< stops, node by node; the key is 1 where a node begins, else 0
-  std::vector<std::uint32_t> ends;   ///< by node: past its last stop in `order`
+  LargeArray<std::uint32_t> ends;    ///< by node: past its last stop in `order`
 
   bool has_chain_before(std::uint32_t stop) const { return stop > 0 && chain[stop - 1] != none; }
   bool has_chain_after(std::uint32_t stop) const { return chain[stop] != none; }
   std::uint32_t degree(std::uint32_t stop) const { return has_chain_before(stop) + has_chain_after(stop); }
 };
 
-/// Step 1: strands to chains, whose nodes are still their stops. By ranges of vertices: first what each has, then where
-/// to put it is known.
+/// Steps 1 and 3: where strands stop, and the chains between. By ranges of vertices: first what each has, then where to
+/// put it is known.
 class ChainCutter {
  public:
-  explicit ChainCutter(ChainGraph& graph) : graph_(graph), strands_(graph.strands) {}
+  explicit ChainCutter(const Strands& strands)
+      : strands_(strands), ranges_(range_count(strands.points.size(), vertices_a_range) + 1) {}
 
-  Stops run() {
-    constexpr std::size_t vertices_a_range = 1 << 16;
-    const std::size_t size = strands_.points.size(), count = range_count(size, vertices_a_range);
-    std::vector<Range> ranges(count + 1);
-    for_numbered_ranges(size, vertices_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
-      ranges[i + 1] = counted(begin, end);
-    });
-    for (std::size_t i = 0; i < count; ++i) ranges[i + 1].add(ranges[i]);
+  Stops stops() {
+    for_numbered_ranges(
+        strands_.points.size(), vertices_a_range,
+        [&](std::size_t i, std::size_t begin, std::size_t end) { ranges_[i + 1] = counted(begin, end); });
+    for (std::size_t i = 1; i < ranges_.size(); ++i) ranges_[i].add(ranges_[i - 1]);
     Stops stops;
-    resize_in_large_pages(stops.vertex, ranges[count].stops);
-    resize_in_large_pages(stops.chain, ranges[count].stops);
-    resize_in_large_pages(graph_.chains, ranges[count].chains);
-    for_numbered_ranges(size, vertices_a_range,
-                        [&](std::size_t i, std::size_t begin, std::size_t end) { cut(begin, end, ranges[i], stops); });
+    resize_in_large_pages(stops.vertex, ranges_.back().stops);
+    resize_in_large_pages(stops.chain, ranges_.back().stops);
+    for_numbered_ranges(
+        strands_.points.size(), vertices_a_range,
+        [&](std::size_t i, std::size_t begin, std::size_t end) { stop(begin, end, ranges_[i], stops); });
     return stops;
   }
 
+  /// Once the stops have their nodes.
+  LargeArray<Chain> chains(const Stops& stops) const {
+    LargeArray<Chain> chains;
+    resize_in_large_pages(chains, ranges_.back().chains);
+    for_numbered_ranges(
+        strands_.points.size(), vertices_a_range,
+        [&](std::size_t i, std::size_t begin, std::size_t end) { cut(begin, end, ranges_[i], stops, chains); });
+    return chains;
+  }
+
  private:
+  static constexpr std::size_t vertices_a_range = 1 << 16;
+
   /// How many stops and chains come before a range, and the last stop's vertex. Chains count where they end.
   struct Range {
     std::uint32_t stops = 0, chains = 0, last_stop = 0;
@@ -98,34 +109,51 @@ class ChainCutter {
     return range;
   }
 
-  void cut(std::size_t begin, std::size_t end, Range before, Stops& stops) {
+  void stop(std::size_t begin, std::size_t end, Range before, Stops& stops) const {
+    walk(
+        begin, end,
+        [&](std::size_t s, std::uint32_t v) {
+          before.chains += v != strands_.begin(s);
+          stops.vertex[before.stops] = v;
+          stops.chain[before.stops] = v + 1 == strands_.ends[s] ? none : before.chains;
+          ++before.stops;
+        },
+        [&](std::size_t) { ++before.chains; });
+  }
+
+  void cut(std::size_t begin, std::size_t end, Range before, const Stops& stops, LargeArray<Chain>& chains) const {
     const auto add = [&](std::uint32_t first, std::uint32_t last, std::uint32_t from, std::uint32_t to, std::size_t s) {
-      graph_.chains[before.chains] = {first, last, from, to, before.chains, strands_.change[s]};
+      chains[before.chains] = {first, last, from, to, before.chains, strands_.change[s]};
       ++before.chains;
     };
     walk(
         begin, end,
         [&](std::size_t s, std::uint32_t v) {
           const std::uint32_t stop = before.stops++;
-          if (v != strands_.begin(s)) add(before.last_stop, v, stop - 1, stop, s);
+          if (v != strands_.begin(s)) add(before.last_stop, v, stops.node[stop - 1], stops.node[stop], s);
           before.last_stop = v;
-          stops.vertex[stop] = v;
-          stops.chain[stop] = v + 1 == strands_.ends[s] ? none : before.chains;
         },
         [&](std::size_t s) { add(strands_.begin(s), strands_.ends[s] - 1, none, none, s); });
   }
 
-  ChainGraph& graph_;
   const Strands& strands_;
+  std::vector<Range> ranges_;
 };
 
-/// Step 2: stops to nodes, and room for their lists.
-void number_nodes(ChainGraph& graph, Stops& stops) {
+constexpr std::size_t stops_a_task = 32768;
+
+/// A range of stops in order that holds whole nodes.
+struct NodeRange {
+  std::size_t begin;
+  std::uint32_t first_node = 0, first_list = 0;  ///< how many nodes, and entries of lists, come before
+};
+
+/// Step 2a: puts the stops in order. Of the ranges the last one is past all.
+std::vector<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   LargeArray<Point> places;
   resize_in_large_pages(places, stops.vertex.size());
-  constexpr std::size_t stops_a_task = 32768;
   for_ranges(places.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) places[k] = graph.point(stops.vertex[k]);
+    for (std::size_t k = begin; k < end; ++k) places[k] = strands.points[stops.vertex[k]];
   });
   stops.order = noding::curve_order(places);
   auto& order = stops.order;
@@ -134,11 +162,7 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };
   // Ranges of whole keys: stops of one key are sorted together, and stops at one place are among them.
-  struct Range {
-    std::size_t begin;
-    std::uint32_t first_node = 0, first_list = 0;  ///< how many nodes, and entries of lists, come before
-  };
-  std::vector<Range> ranges;
+  std::vector<NodeRange> ranges;
   ranges.reserve(order.size() / stops_a_task + 2);
   ranges.push_back({0});
   for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
@@ -167,32 +191,28 @@ void number_nodes(ChainGraph& graph, Stops& stops) {
     ranges[range].first_node += ranges[range - 1].first_node;
     ranges[range].first_list += ranges[range - 1].first_list;
   }
+  return ranges;
+}
 
+/// Step 2b: the nodes, and room for their lists.
+void number_nodes(std::span<const NodeRange> ranges, Stops& stops, ChainGraph& graph) {
   const std::uint32_t node_count = ranges.back().first_node;
-  LargeArray<std::uint32_t> node_of;
-  resize_in_large_pages(node_of, places.size());
-  stops.ends.resize(node_count);
+  resize_in_large_pages(stops.node, stops.vertex.size());
+  resize_in_large_pages(stops.ends, node_count);
   resize_in_large_pages(graph.node_vertex, node_count);
   resize_in_large_pages(graph.list_ends, node_count);
   for_ranges(ranges.size() - 1, 1, [&](std::size_t range, std::size_t past) {
     for (; range < past; ++range) {
       std::uint32_t next_node = ranges[range].first_node, list_end = ranges[range].first_list;
       for (std::size_t i = ranges[range].begin; i < ranges[range + 1].begin; ++i) {
-        const std::uint32_t stop = order[i].index;
-        if (order[i].key == 1) graph.node_vertex[next_node++] = stops.vertex[stop];
+        const std::uint32_t stop = stops.order[i].index;
+        if (stops.order[i].key == 1) graph.node_vertex[next_node++] = stops.vertex[stop];
         const std::uint32_t node = next_node - 1;
         list_end += stops.degree(stop);
         graph.list_ends[node] = list_end;
         stops.ends[node] = static_cast<std::uint32_t>(i + 1);
-        node_of[stop] = node;
+        stops.node[stop] = node;
       }
-    }
-  });
-  for_ranges(graph.chains.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
-    for (Chain& chain : std::span(graph.chains).subspan(begin, end - begin)) {
-      if (chain.is_loop()) continue;
-      chain.from = node_of[chain.from];
-      chain.to = node_of[chain.to];
     }
   });
 }
@@ -220,7 +240,7 @@ void sort_by_angle(const Point& x, std::vector<Aimed>& list) {
   std::sort(list.begin(), list.end(), [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
 }
 
-/// Step 3: the connectivity lists L(x), each sorted by angle. True when chains were merged.
+/// Step 4: the connectivity lists L(x), each sorted by angle. True when chains were merged.
 bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
   resize_in_large_pages(graph.lists, graph.list_ends.empty() ? 0 : graph.list_ends.back());
   std::atomic<bool> merged = false;
@@ -251,7 +271,7 @@ bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
   return merged;
 }
 
-/// Step 4: takes chains that are not live out of the lists.
+/// Step 5: takes chains that are not live out of the lists.
 void drop_dead_chains(ChainGraph& graph) {
   // Each range of nodes packs its lists at their beginning; then the ranges are moved together.
   struct Range {
@@ -290,8 +310,11 @@ void drop_dead_chains(ChainGraph& graph) {
 ChainGraph build_chain_graph(Strands strands) {
   ChainGraph graph;
   graph.strands = std::move(strands);
-  Stops stops = ChainCutter(graph).run();
-  number_nodes(graph, stops);
+  ChainCutter cutter(graph.strands);
+  Stops stops = cutter.stops();
+  number_nodes(order_stops(graph.strands, stops), stops, graph);
+  graph.chains = cutter.chains(stops);
+  stops.node = {};
   if (build_connectivity_lists(graph, stops)) drop_dead_chains(graph);
   return graph;
 }

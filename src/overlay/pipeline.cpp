@@ -52,36 +52,36 @@ std::vector<Winding> label_stage(const ChainGraph& graph, Engine engine, Control
   }
 }
 
-PipelineResult finish(Rings rings, const Nesting& nesting, const Options& options) {
-  const bool touches =
-      std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
-  return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
+/// Contours that are not in canonical order yet. What they were made from is not needed any more.
+struct Outline {
+  Rings rings;
+  Nesting nesting;
+};
+
+Selection label_and_select(const ChainGraph& graph, Operation operation, const Options& options, Control& control,
+                           Statistics& statistics) {
+  // 3. label
+  const std::vector<Winding> right = label_stage(graph, options.engine, control, statistics);
+
+  // 4. select
+  control.checkpoint(Stage::select, 0);
+  const StageClock clock(control, statistics, Stage::select);
+  return select(graph, right, operation, options);
 }
 
-/// Stages 2 to 6.
-PipelineResult overlay_strands(noding::Strands strands, Operation operation, const Options& options, Control& control,
-                               Statistics& statistics) {
+/// Stages 2 to 5, and of stage 6 what is told from the graph.
+Outline outline(noding::Strands strands, Operation operation, const Options& options, Control& control,
+                Statistics& statistics) {
   // 2. node
   const ChainGraph graph = node_stage(std::move(strands), options, control, statistics);
 
   // 3 to 5 by triangles
   if (options.engine == Engine::skvortsov) {
     skvortsov::Extracted extracted = skvortsov::extract(graph, operation, options, control, statistics);
-    control.checkpoint(Stage::assemble, 0);
-    const StageClock clock(control, statistics, Stage::assemble);
-    return finish(std::move(extracted.rings), extracted.nesting, options);
+    return {std::move(extracted.rings), std::move(extracted.nesting)};
   }
 
-  // 3. label
-  const std::vector<Winding> right = label_stage(graph, options.engine, control, statistics);
-
-  // 4. select
-  control.checkpoint(Stage::select, 0);
-  Selection selection;
-  {
-    const StageClock clock(control, statistics, Stage::select);
-    selection = select(graph, right, operation, options);
-  }
+  const Selection selection = label_and_select(graph, operation, options, control, statistics);
 
   // 5. link
   control.checkpoint(Stage::link, 0);
@@ -93,11 +93,23 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
     rings = contours_to_rings(graph, selection, linked);
   }
 
+  control.checkpoint(Stage::assemble, 0);
+  const StageClock clock(control, statistics, Stage::assemble);
+  Nesting nesting = nest(graph, selection, linked, rings);
+  return {std::move(rings), std::move(nesting)};
+}
+
+/// Stages 2 to 6.
+PipelineResult overlay_strands(noding::Strands strands, Operation operation, const Options& options, Control& control,
+                               Statistics& statistics) {
+  auto [rings, nesting] = outline(std::move(strands), operation, options, control, statistics);
+
   // 6. assemble
   control.checkpoint(Stage::assemble, 0);
   const StageClock clock(control, statistics, Stage::assemble);
-  const Nesting nesting = nest(graph, selection, linked, rings);
-  return finish(std::move(rings), nesting, options);
+  const bool touches =
+      std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
+  return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
 }
 
 /// What parts did side by side, each stage with its share of the time that passed.
