@@ -160,6 +160,8 @@ class Finder {
     reserve_in_large_pages(*right, entries.size() * 5 / 8);
     const std::size_t left_end = divide_all(entries, 0, cut, cell, *right);
     entries.resize(left_end);
+    // What was right of the cut is there twice else while the left is divided further.
+    release_unused_pages(entries);
     const auto [left_cell, right_cell] = cell.halves(cut);
     tasks.run([this, &tasks, right, c = right_cell] { split_in_parallel(std::move(*right), c, tasks); });
     split_in_parallel(std::move(entries), left_cell, tasks);

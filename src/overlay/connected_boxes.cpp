@@ -147,11 +147,13 @@ class Connector {
 
 }  // namespace
 
-ConnectedBoxes connected_boxes(std::span<const Box> boxes) {
+ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   ConnectedBoxes connected;
   if (boxes.empty()) return connected;
   connected.order = curve_order(boxes);
-  connected.component = Connector(boxes, connected.order).run();
+  Connector connector(boxes, connected.order);
+  boxes = {};  // it has them along the curve
+  connected.component = connector.run();
   return connected;
 }
 

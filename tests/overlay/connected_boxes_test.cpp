@@ -18,7 +18,7 @@ using generators::Random;
 using noding::Box;
 
 /// By box, the smallest box it is connected with.
-std::vector<std::uint32_t> smallest_connected(const std::vector<Box>& boxes) {
+std::vector<std::uint32_t> smallest_connected(std::span<const Box> boxes) {
   DisjointSets sets(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j)
@@ -47,7 +47,7 @@ void expect_order_of_all(const ConnectedBoxes& connected, std::size_t count) {
 TEST(ConnectedBoxes, asBruteForceFindsThem) {
   Random random(1);
   for (int round = 0; round < 400; ++round) {
-    std::vector<Box> boxes;
+    LargeArray<Box> boxes;
     const int side = random.between(2, 60), largest = random.between(0, 6);
     for (int i = random.between(1, 300); i > 0; --i) {
       const double x = random.below(side), y = random.below(side);
@@ -62,11 +62,11 @@ TEST(ConnectedBoxes, asBruteForceFindsThem) {
 TEST(ConnectedBoxes, noneAndOne) {
   EXPECT_TRUE(connected_boxes({}).order.empty());
   const Box box{0, 0, 1, 1};
-  EXPECT_EQ(connected_boxes(std::span(&box, 1)).component, LargeArray<std::uint32_t>(1, 0));
+  EXPECT_EQ(connected_boxes({box}).component, LargeArray<std::uint32_t>(1, 0));
 }
 
 TEST(ConnectedBoxes, ofManyNothingMeets) {
-  std::vector<Box> boxes;
+  LargeArray<Box> boxes;
   for (int x = 0; x < 200; ++x)
     for (int y = 0; y < 200; ++y) boxes.push_back({1.0 * x, 1.0 * y, x + 0.5, y + 0.5});
   const ConnectedBoxes connected = connected_boxes(boxes);
@@ -75,7 +75,7 @@ TEST(ConnectedBoxes, ofManyNothingMeets) {
 
 TEST(ConnectedBoxes, ofManyAllHangTogether) {
   // Neighbours touch; the last one lies apart.
-  std::vector<Box> boxes;
+  LargeArray<Box> boxes;
   for (int x = 0; x < 300; ++x)
     for (int y = 0; y < 300; ++y) boxes.push_back({1.0 * x, 1.0 * y, x + 1.0, y + 1.0});
   boxes.push_back({400, 400, 401, 401});
@@ -86,7 +86,7 @@ TEST(ConnectedBoxes, ofManyAllHangTogether) {
 
 TEST(ConnectedBoxes, thoseThatMeetAreNeverParted) {
   // A comb of long bars that do not meet, and bars across it far away: boxes of the tree lie upon each other.
-  std::vector<Box> boxes;
+  LargeArray<Box> boxes;
   for (int i = 0; i < 3000; ++i) {
     const double length = i % 2 == 0 ? 1e6 : 1;
     boxes.push_back({-length, 10.0 * i, length, 10.0 * i + 1});
