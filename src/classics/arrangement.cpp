@@ -43,7 +43,7 @@ LargeArray<noding::EdgeCut> meetings_of(Strands& strands) {
 
 /// Flags for is_clear(): added are the rounded crossings only, moved the pieces that end at one. A cut is not a
 /// rounded crossing where a vertex of the input lies there, exactly on the edge that was cut.
-Strands flagged_for_clearance(const ChainGraph& graph, const std::vector<Point>& input) {
+Strands flagged_for_clearance(const ChainGraph& graph, std::span<const Point> input) {
   std::vector<bool> has_input(graph.node_count(), false);
   for (const Chain& chain : graph.chains)
     if (!chain.is_loop() && !(graph.strands.flags[chain.first] & noding::added_flag)) has_input[chain.from] = true;
@@ -102,7 +102,7 @@ OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rin
 
 void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left) {
-  const std::vector<Winding> right = leonov_nikitin::label(own.graph);
+  const Array<Winding> right = leonov_nikitin::label(own.graph);
   interior_left = right.empty() || right[0].a == 0;
   for (std::uint32_t c = 0; c < right.size(); ++c) {
     if (right[c].a == (interior_left ? 0 : -1)) continue;

@@ -14,7 +14,7 @@ namespace oblast::classics {
 namespace {
 
 /// Flags every vertex whose point occurs more than once.
-void flag_repeated(const std::vector<Point>& points, std::vector<std::uint8_t>& flags) {
+void flag_repeated(std::span<const Point> points, Array<std::uint8_t>& flags) {
   constexpr std::uint32_t free = 0xffffffff;
   std::vector<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
@@ -64,7 +64,7 @@ RegionSet Contours::single() const {
 }
 
 /// The contours as they are, without anything labelled.
-ChainGraph Contours::graph(std::vector<std::uint8_t> flags) const {
+ChainGraph Contours::graph(Array<std::uint8_t> flags) const {
   noding::Strands strands;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends_) {
@@ -86,7 +86,7 @@ ChainGraph Contours::graph(std::vector<std::uint8_t> flags) const {
 
 RegionSet Contours::to_region_set() const {
   if (ends_.empty()) return {};
-  std::vector<std::uint8_t> flags(points_.size(), 0);
+  Array<std::uint8_t> flags(points_.size(), 0);
   flag_repeated(points_, flags);
   const bool touches = std::find(flags.begin(), flags.end(), noding::node_flag) != flags.end();
   if (ends_.size() == 1 && !touches) return single();
@@ -95,10 +95,10 @@ RegionSet Contours::to_region_set() const {
 
 std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   if (ends_.empty()) return RegionSet{};
-  std::vector<std::uint8_t> flags(points_.size(), 0);
+  Array<std::uint8_t> flags(points_.size(), 0);
   flag_repeated(points_, flags);
   const ChainGraph contours = graph(std::move(flags));
-  const std::vector<Winding> right = leonov_nikitin::label(contours);
+  const Array<Winding> right = leonov_nikitin::label(contours);
   for (std::uint32_t c = 0; c < contours.chains.size(); ++c)
     if (!contours.is_live(c) || right[c].a != 0 || contours.chains[c].change.a != 1) return {};
   return assembled(contours);

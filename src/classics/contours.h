@@ -27,11 +27,11 @@ class Contours {
   std::optional<RegionSet> to_region_set_if_regular() const;
 
  private:
-  ChainGraph graph(std::vector<std::uint8_t> flags) const;
+  ChainGraph graph(Array<std::uint8_t> flags) const;
   RegionSet single() const;
 
-  std::vector<Point> points_;
-  std::vector<std::uint32_t> ends_;
+  Array<Point> points_;
+  Array<std::uint32_t> ends_;
 };
 
 }  // namespace oblast::classics

@@ -89,7 +89,7 @@ class Fragments {
       fragments.push_back(c);
       queries.push_back(lexicographically_less(p, q) ? BelowQuery{p, q} : BelowQuery{q, p});
     }
-    const std::vector<Below> below = locate_below(graph_, others, queries);
+    const Array<Below> below = locate_below(graph_, others, queries);
     for (std::size_t i = 0; i < fragments.size(); ++i) {
       const bool inside = below[i].chain != none && (change(below[i].chain, !of_a) > 0) == below[i].rightward;
       place_[fragments[i]] = inside ? Place::inside : Place::outside;

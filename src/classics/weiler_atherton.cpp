@@ -98,7 +98,7 @@ class Stretches {
         unknown.push_back(c);
         queries.push_back(lexicographically_less(p, q) ? BelowQuery{p, q} : BelowQuery{q, p});
       }
-      const std::vector<Below> below = locate_below(graph_, others, queries);
+      const Array<Below> below = locate_below(graph_, others, queries);
       for (std::size_t i = 0; i < unknown.size(); ++i) {
         bool inside = false;
         if (below[i].chain != none) {

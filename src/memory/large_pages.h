@@ -16,13 +16,14 @@
 #include <sys/mman.h>
 #endif
 
+#include "memory/call_memory.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
 
 /// Leaves new elements as they are until they are written.
 template <class T>
-class UninitializedAllocator : public std::allocator<T> {
+class UninitializedAllocator : public CallAllocator<T> {
  public:
   // Elements that are copied bit by bit and not destroyed begin to live with their memory.
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -83,8 +84,8 @@ void release_unused_pages([[maybe_unused]] std::vector<T, Allocator>& items) {
 
 /// The same for an empty array, and makes them. All cores fetch the pages first, since the first touch of one costs
 /// most.
-template <class T>
-void resize_in_large_pages(std::vector<T>& items, std::size_t count, const T& value = {}) {
+template <class T, class Allocator>
+void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
   reserve_in_large_pages(items, count);
   constexpr std::size_t pages_a_task = 2;
   char* const memory = reinterpret_cast<char*>(items.data());

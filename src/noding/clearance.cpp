@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
 #include "parallel/for_ranges.h"
 
@@ -23,7 +24,7 @@ Clearance::Clearance(Strands& strands) : strands_(strands) {
     distance_ = 32 * ulp_of(largest_coordinate(points));
     return;
   }
-  std::vector<double> largest(range_count(points.size(), points_a_range));
+  Array<double> largest(range_count(points.size(), points_a_range));
   for_numbered_ranges(points.size(), points_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
     largest[i] = largest_coordinate(points.subspan(begin, end - begin));
   });

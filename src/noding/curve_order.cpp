@@ -64,7 +64,7 @@ std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * di
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
   constexpr std::size_t items_a_range = 1 << 18;
   const std::size_t ranges = range_count(from.size(), items_a_range);
-  std::vector<Counts> more(ranges - 1);  // of all ranges but the last
+  Array<Counts> more(ranges - 1);  // of all ranges but the last
   const auto counts_of = [&](std::size_t range) -> Counts& { return range + 1 < ranges ? more[range] : ends; };
   for_numbered_ranges(from.size(), items_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Counts& counts = counts_of(range);
@@ -162,7 +162,7 @@ class CurveSort {
   }
 
   Box box_of(std::span<const Keyed> part) const {
-    std::vector<Box> boxes(range_count(part.size(), points_a_task));
+    Array<Box> boxes(range_count(part.size(), points_a_task));
     for_numbered_ranges(part.size(), points_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
       const Point& first = points_[part[begin].index];
       boxes[i] = Box::of(first, first);
@@ -193,7 +193,7 @@ class CurveSort {
   std::span<const Point> points_;
   LargeArray<Keyed> items_;
   LargeArray<Keyed> buffer_;
-  std::vector<Range> pending_;
+  Array<Range> pending_;
 };
 
 }  // namespace

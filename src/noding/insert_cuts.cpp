@@ -13,7 +13,7 @@ namespace oblast::noding {
 namespace {
 
 template <class T>
-void grow(std::vector<T>& items, std::size_t size) {
+void grow(Array<T>& items, std::size_t size) {
   if (items.capacity() < size) reserve_in_large_pages(items, size);
   items.resize(size);
 }

@@ -75,7 +75,7 @@ class RecentPairs {
 
  private:
   static constexpr std::size_t slot_count = 4096;
-  std::vector<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
+  Array<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
 };
 
 /// Cuts as they are found. In blocks, which are not copied as they become many.
@@ -88,17 +88,17 @@ class CutList {
     }
     blocks_.back().push_back(cut);
   }
-  std::span<const std::vector<EdgeCut>> blocks() const { return blocks_; }
+  std::span<const Array<EdgeCut>> blocks() const { return blocks_; }
 
  private:
   static constexpr std::size_t block_size = 4096, first_reserve = 32;
-  std::vector<std::vector<EdgeCut>> blocks_;
+  Array<Array<EdgeCut>> blocks_;
 };
 
 /// What one thread found.
 struct Found {
   CutList cuts;
-  std::vector<std::uint32_t> tangled;  ///< strands, repeatedly
+  Array<std::uint32_t> tangled;  ///< strands, repeatedly
   RecentPairs recent;
 };
 
@@ -119,6 +119,8 @@ class MeetingTest {
   /// each that reach into the box of the other: usually few.
   void test_runs(const RunPair& pair) {
     static_assert(longest_run <= 32);
+    if (pair.last_p == pair.first_q && passes_on(pair.last_p)) return;
+    if (pair.last_q == pair.first_p && passes_on(pair.last_q)) return;
     const bool one_p = pair.last_p - pair.first_p == 1, one_q = pair.last_q - pair.first_q == 1;
     if (one_p && one_q) {
       test_edges(pair.first_p, pair.first_q);
@@ -142,6 +144,17 @@ class MeetingTest {
  private:
   /// Of a run between two vertices.
   Box box_of(std::uint32_t first, std::uint32_t last) const { return Box::of(points_[first], points_[last]); }
+
+  /// Whether a strand, between two runs, gets on in x or in y: then they lie on either side of the vertex, and meet
+  /// nowhere else. Most runs that follow one another do.
+  bool passes_on(std::uint32_t vertex) const {
+    const double margin = clearance_ ? distance_ : 0;
+    const Point &before = points_[vertex - 1], &at = points_[vertex], &after = points_[vertex + 1];
+    const auto gets_on = [&](double u, double v, double w) {
+      return std::min(u, w) < v - margin && std::max(u, w) > v + margin;
+    };
+    return gets_on(before.x, at.x, after.x) || gets_on(before.y, at.y, after.y);
+  }
 
   //        d                 a, b: ends of edge i;  c, d: ends of edge j
   //   a ---+--- b            +: the meeting
@@ -347,8 +360,8 @@ class MeetingTest {
   RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
-  std::vector<std::uint32_t>* tangled_;  ///< null where every contour is known to be simple
-  bool met_ = false;                     ///< the two edges looked at meet
+  Array<std::uint32_t>* tangled_;  ///< null where every contour is known to be simple
+  bool met_ = false;               ///< the two edges looked at meet
 };
 
 /// Sorts the cuts of one edge along it, from a = points[edge] on, and drops repeated ones. Rounding is monotone, so the
@@ -397,7 +410,7 @@ class Arrangement {
 
   LargeArray<EdgeCut> run(std::span<const Found> found) {
     std::size_t count = 0;
-    std::vector<std::span<const EdgeCut>> blocks;
+    Array<std::span<const EdgeCut>> blocks;
     for (const Found& part : found) {
       for (const auto& block : part.cuts.blocks()) {
         blocks.push_back(block);
@@ -433,7 +446,7 @@ class Arrangement {
     constexpr std::size_t most_tasks = 16;
     const std::size_t blocks_a_task = range_count(blocks.size(), most_tasks), count = ranges_.size();
     const std::size_t tasks = range_count(blocks.size(), blocks_a_task);
-    std::vector<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
+    Array<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
     for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
       std::uint32_t* const counts = &places[task * count];
       for (; first < past; ++first)
@@ -459,10 +472,10 @@ class Arrangement {
   std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeCut> cuts) const {
     EdgeCut* packed = cuts.data();
     if (cuts.empty()) return static_cast<std::uint32_t>(packed - cuts_.data());
-    std::vector<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
+    Array<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
     for (const EdgeCut& cut : cuts) ++ends[cut.edge - first + 1];
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<EdgeCut> by_edge(cuts.size());
+    Array<EdgeCut> by_edge(cuts.size());
     // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
     for (const EdgeCut& cut : cuts) by_edge[ends[cut.edge - first]++] = cut;
     std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(first));
@@ -484,19 +497,19 @@ class Arrangement {
   }
 
   const Strands& strands_;
-  const std::vector<Point>& points_;
+  const Array<Point>& points_;
   Settling settling_;
   Clearance* clearance_;
   std::size_t edges_a_range_ = 0;  ///< a power of two
-  std::vector<Range> ranges_;
+  Array<Range> ranges_;
   LargeArray<EdgeCut> cuts_;
 };
 
 }  // namespace
 
-LargeArray<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, Array<Run> runs, Settling settling,
                                   const std::function<void()>& checkpoint, Clearance* clearance,
-                                  std::vector<std::uint32_t>* tangled) {
+                                  Array<std::uint32_t>* tangled) {
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
   std::optional<tbb::enumerable_thread_specific<Found>> by_thread;
@@ -511,7 +524,7 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settl
   Nearness nearness;
   if (clearance) nearness = {clearance->distance(), [clearance](std::uint32_t edge) { clearance->flag(edge); }};
   find_pairs(strands.points, std::move(runs), std::ref(visit), PairGoal::meetings, nearness);
-  std::vector<Found> by_threads;
+  Array<Found> by_threads;
   if (by_thread)
     for (Found& part : *by_thread) by_threads.push_back(std::move(part));
   const std::span<const Found> found = by_thread ? std::span<const Found>(by_threads) : std::span(&by_caller, 1);

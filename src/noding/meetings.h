@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 #include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
@@ -51,8 +50,8 @@ struct Settling {
 /// clear (REQUIRES: all runs of any_group, a first round), else all that are cut.
 /// With `tangled`, strands assumed to be simple that are not are put there, sorted; there are no cuts then.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
-LargeArray<EdgeCut> find_meetings(Strands& strands, std::vector<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, Array<Run> runs, Settling settling,
                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
-                                  std::vector<std::uint32_t>* tangled = nullptr);
+                                  Array<std::uint32_t>* tangled = nullptr);
 
 }  // namespace oblast::noding

@@ -43,13 +43,13 @@ class HashBits {
  private:
   std::size_t place(std::uint32_t hash) const { return (hash >> 6) & (words_.size() - 1); }
 
-  std::vector<std::uint64_t> words_;
+  Array<std::uint64_t> words_;
 };
 
 /// Finds to every edge the first one with the same ends: an open-addressing table of edges.
 class EdgeTable {
  public:
-  EdgeTable(const std::vector<Point>& points, std::size_t most_edges)
+  EdgeTable(const Array<Point>& points, std::size_t most_edges)
       : points_(points), slots_(std::bit_ceil(most_edges + most_edges / 2 + 2), none), mask_(slots_.size() - 1) {}
 
   void prefetch(std::uint32_t hash) const { __builtin_prefetch(&slots_[hash & mask_], 1); }
@@ -65,8 +65,8 @@ class EdgeTable {
   }
 
  private:
-  const std::vector<Point>& points_;
-  std::vector<std::uint32_t> slots_;
+  const Array<Point>& points_;
+  Array<std::uint32_t> slots_;
   std::uint64_t mask_;
 };
 
@@ -84,8 +84,8 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
 }
 
 /// By edge. What is between two strands gets a value too.
-std::vector<std::uint32_t> hash_edges(const std::vector<Point>& points) {
-  std::vector<std::uint32_t> hashes;
+Array<std::uint32_t> hash_edges(const Array<Point>& points) {
+  Array<std::uint32_t> hashes;
   resize_in_large_pages(hashes, points.size(), none);
   constexpr std::size_t edges_a_task = 1 << 15;
   if (points.empty()) return hashes;
@@ -101,12 +101,12 @@ std::vector<std::uint32_t> hash_edges(const std::vector<Point>& points) {
 }
 
 /// The hashes that another edge had already, with some that only seem to. Each core looks after its share of the table.
-std::vector<std::uint32_t> repeated_hashes(const Strands& strands, const std::vector<std::uint32_t>& hashes) {
+Array<std::uint32_t> repeated_hashes(const Strands& strands, const Array<std::uint32_t>& hashes) {
   constexpr std::size_t bits_an_edge = 16, edges_a_core = 1 << 16;
   const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t shares = std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(cores, 8));
   HashBits seen(hashes.size(), bits_an_edge);
-  std::vector<std::vector<std::uint32_t>> repeated(shares);
+  Array<Array<std::uint32_t>> repeated(shares);
   for_ranges(shares, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t share = begin; share < end; ++share) {
       const auto is_mine = [&](std::uint32_t e) { return shares == 1 || seen.share_of(hashes[e], shares) == share; };
@@ -128,19 +128,19 @@ std::vector<std::uint32_t> repeated_hashes(const Strands& strands, const std::ve
 /// Which part of some of the edges, chosen by the bits of their ends, repeats another one.
 double repeated_part(const Strands& strands) {
   constexpr std::size_t enough = 1 << 11, edges_a_range = 1 << 15;
-  const std::vector<Point>& points = strands.points;
+  const Array<Point>& points = strands.points;
   const std::size_t edges = points.size() - 1;
   const std::uint64_t one_in = edges / enough + 1;
   const auto is_chosen = [&](std::size_t e) {
     const std::uint64_t sum = std::bit_cast<std::uint64_t>(points[e].x) + std::bit_cast<std::uint64_t>(points[e + 1].x);
     return sum * 0x9e3779b97f4a7c15ULL <= ~std::uint64_t{0} / one_in;
   };
-  std::vector<std::vector<std::uint64_t>> found(range_count(edges, edges_a_range));
+  Array<Array<std::uint64_t>> found(range_count(edges, edges_a_range));
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
       if (is_chosen(e)) found[range].push_back(hash(points[e]) + hash(points[e + 1]));
   });
-  std::vector<std::uint64_t> chosen;
+  Array<std::uint64_t> chosen;
   for (const auto& hashes : found) chosen.insert(chosen.end(), hashes.begin(), hashes.end());
   std::sort(chosen.begin(), chosen.end());
   const auto different = std::unique(chosen.begin(), chosen.end()) - chosen.begin();
@@ -152,7 +152,7 @@ double repeated_part(const Strands& strands) {
 template <class IsCandidate>
 void classify(const Strands& strands, std::size_t candidates, const IsCandidate& is_candidate,
               IdenticalEdges& identical) {
-  std::vector<std::uint32_t>& class_of = identical.class_of;
+  Array<std::uint32_t>& class_of = identical.class_of;
   EdgeTable table(strands.points, candidates);
   for_edges(
       strands,
@@ -174,8 +174,8 @@ void classify(const Strands& strands, std::size_t candidates, const IsCandidate&
 
 /// Classes where few edges are repeated: most are told by a look at a few bits.
 void classify_few(const Strands& strands, IdenticalEdges& identical) {
-  const std::vector<std::uint32_t>& hashes = identical.class_of;
-  const std::vector<std::uint32_t> repeated = repeated_hashes(strands, hashes);
+  const Array<std::uint32_t>& hashes = identical.class_of;
+  const Array<std::uint32_t> repeated = repeated_hashes(strands, hashes);
   if (repeated.empty()) return;
 
   // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
@@ -215,7 +215,7 @@ Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) 
   if (identical.empty()) return strands;
   const auto& points = strands.points;
   const auto& class_of = identical.class_of;
-  std::vector<Winding> sums(identical.first.size());  // by class, along it from its smaller end
+  Array<Winding> sums(identical.first.size());  // by class, along it from its smaller end
   for (std::size_t s = 0; s < strands.size(); ++s) {
     for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
       if (class_of[e] == none) continue;

@@ -5,16 +5,16 @@
 
 #include <cstdint>
 #include <utility>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
 
 /// Edges with the same two ends, in either direction, are of one class.
 struct IdenticalEdges {
-  std::vector<std::uint32_t> class_of;  ///< by edge: its class; 0xffffffff where no other edge is identical
-  std::vector<std::uint32_t> first;     ///< by class: its first edge
+  Array<std::uint32_t> class_of;  ///< by edge: its class; 0xffffffff where no other edge is identical
+  Array<std::uint32_t> first;     ///< by class: its first edge
 
   bool empty() const { return first.empty(); }
 };

@@ -16,8 +16,8 @@ class RunFinder {
   RunFinder(const Strands& strands, Grouping grouping) : strands_(strands), grouping_(grouping) {}
 
   /// Of the edges [begin, end). A run that goes on behind them is parted there.
-  std::vector<Run> find(std::size_t begin, std::size_t end) const {
-    std::vector<Run> runs;
+  Array<Run> find(std::size_t begin, std::size_t end) const {
+    Array<Run> runs;
     reserve_in_large_pages(runs, (end - begin) / 2 + 16);
     auto first = static_cast<std::uint32_t>(begin);
     for (std::size_t s = strands_.strand_of(first); s < strands_.size() && strands_.begin(s) < end; ++s) {
@@ -31,8 +31,8 @@ class RunFinder {
   bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
 
   /// Of the edges [first, past) of a strand.
-  void add_runs(std::size_t strand, std::uint32_t first, std::uint32_t past, std::vector<Run>& runs) const {
-    const std::vector<Point>& points = strands_.points;
+  void add_runs(std::size_t strand, std::uint32_t first, std::uint32_t past, Array<Run>& runs) const {
+    const Array<Point>& points = strands_.points;
     const bool by_moved = grouping_ == Grouping::by_moved;
     const bool grouped = grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known;
     const Group group = grouped ? strands_.group[strand] : any_group;
@@ -57,17 +57,17 @@ class RunFinder {
 
 }  // namespace
 
-std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping) {
+Array<Run> monotone_runs(const Strands& strands, Grouping grouping) {
   constexpr std::size_t edges_a_range = 1 << 18;  // whose runs fill large pages
   const RunFinder finder(strands, grouping);
   const std::size_t edges = strands.points.size();
   if (edges <= edges_a_range) return finder.find(0, edges);
-  std::vector<std::vector<Run>> found(range_count(edges, edges_a_range));
+  Array<Array<Run>> found(range_count(edges, edges_a_range));
   for_numbered_ranges(edges, edges_a_range,
                       [&](std::size_t i, std::size_t begin, std::size_t end) { found[i] = finder.find(begin, end); });
-  std::vector<std::size_t> begins(found.size() + 1);
+  Array<std::size_t> begins(found.size() + 1);
   for (std::size_t i = 0; i < found.size(); ++i) begins[i + 1] = begins[i] + found[i].size();
-  std::vector<Run> runs;
+  Array<Run> runs;
   resize_in_large_pages(runs, begins.back());
   for_ranges(found.size(), 1, [&](std::size_t i, std::size_t past) {
     for (; i < past; ++i) {

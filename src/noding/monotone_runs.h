@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
@@ -53,6 +53,6 @@ enum class Grouping {
 };
 
 /// Cost: linear.
-std::vector<Run> monotone_runs(const Strands& strands, Grouping grouping);
+Array<Run> monotone_runs(const Strands& strands, Grouping grouping);
 
 }  // namespace oblast::noding

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "memory/call_memory.h"
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
@@ -34,7 +35,7 @@ void flag_strand_ends(Strands& strands) {
 
 /// How far noding moved the boundary, measured against the edges as they were given. Extended precision
 /// keeps the measure within a thousandth of a unit in the last place.
-double displacement(const Strands& noded, const std::vector<Point>& input) {
+double displacement(const Strands& noded, const Array<Point>& input) {
   long double largest = 0;
   for (std::size_t v = 0; v < noded.points.size(); ++v) {
     if (!(noded.flags[v] & added_flag)) continue;
@@ -61,9 +62,9 @@ Grouping first_grouping(const Strands& strands) {
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint) {
   strands.flags.assign(strands.points.size(), 0);
   flag_closed_strands(strands);
-  std::vector<Point> input;  // the vertices as given, once there were cuts
+  Array<Point> input;  // the vertices as given, once there were cuts
   Grouping grouping = first_grouping(strands);
-  std::vector<std::uint32_t>* tangled = strands.has_assumed() ? &report.tangled : nullptr;
+  Array<std::uint32_t>* tangled = strands.has_assumed() ? &report.tangled : nullptr;
   for (bool moved = true; moved; grouping = Grouping::by_moved) {
     ++report.rounds;
     std::optional<Clearance> clearance;

@@ -7,8 +7,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
@@ -20,7 +20,7 @@ struct NodingReport {
   std::uint64_t cuts = 0;           ///< cuts of edges, over all rounds
   double largest_displacement = 0;  ///< of a cut point from the input edge it lies on, coordinate units; if measured
   bool measures_displacement;
-  std::vector<std::uint32_t> tangled;  ///< strands assumed to be simple that are not
+  Array<std::uint32_t> tangled;  ///< strands assumed to be simple that are not
 };
 
 /// Asked before each round and between pieces of it, from any thread; may throw to cancel.

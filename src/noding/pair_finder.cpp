@@ -3,6 +3,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -17,7 +18,6 @@ namespace {
 // cut further.
 constexpr std::size_t leaf_size = runs_of_one_cell;
 constexpr std::size_t clipped_leaf_size = 128;
-constexpr std::size_t batch_size = 1024;
 // Cells with a cut better than this growth are content with boxes.
 constexpr double box_growth = 1.2;
 // A cut that copies more than this is no progress: everything meets nearly everything.
@@ -48,17 +48,43 @@ bool one_group(std::span<const Entry> entries) {
   return std::all_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.group == group; });
 }
 
+/// Pairs on their way to the visitor.
+class PairBatch {
+ public:
+  explicit PairBatch(const PairVisitor& visit) : visit_(visit) {}
+
+  /// `meets` is 1 or 0, and hard to foresee: so there is no branch.
+  void add_if(int meets, const Entry& p, const Entry& q) {
+    pairs_[count_] = {p.first, p.last, q.first, q.last};
+    count_ += static_cast<std::size_t>(meets &
+                                       (static_cast<int>(p.group != q.group) | static_cast<int>(p.group == any_group)));
+    if (count_ == pairs_.size()) visit();
+  }
+  void visit() {
+    if (count_ > 0) visit_(std::span(pairs_).first(count_));
+    count_ = 0;
+  }
+
+ private:
+  const PairVisitor& visit_;
+  std::size_t count_ = 0;
+  std::array<RunPair, 256> pairs_;  // not written before it is used
+};
+
 class Finder {
  public:
   Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal, const Nearness& nearness)
       : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
 
-  void run(std::vector<Run> runs) {
+  void run(Array<Run> runs) {
     if (runs.size() <= leaf_size) {
-      std::vector<RunPair> batch;
-      batch.reserve(4 * runs.size());
+      PairBatch batch(visit_);
       if (!one_group(runs)) test_all(runs, batch);
-      if (!batch.empty()) visit_(batch);
+      batch.visit();
+      return;
+    }
+    if (CallMemory::current()) {
+      split(std::move(runs), Cell{});
       return;
     }
     tbb::task_group tasks;
@@ -74,7 +100,7 @@ class Finder {
 
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
-  CellCut choose_cut(std::vector<Entry>& entries, std::size_t begin, Cell& cell, std::vector<RunPair>& batch) const {
+  CellCut choose_cut(Array<Entry>& entries, std::size_t begin, Cell& cell, PairBatch& batch) const {
     const auto count = [&] { return entries.size() - begin; };
     if (!cell.clipped) {
       if (count() <= leaf_size) return {};
@@ -95,13 +121,11 @@ class Finder {
   /// Runs are divided at a cut, unless it is their boxes that count.
   std::span<const Point> run_points() const { return goal_ == PairGoal::boxes ? std::span<const Point>() : points_; }
 
-  static std::span<Entry> tail(std::vector<Entry>& entries, std::size_t begin) {
-    return std::span(entries).subspan(begin);
-  }
+  static std::span<Entry> tail(Array<Entry>& entries, std::size_t begin) { return std::span(entries).subspan(begin); }
 
   /// Runs to single edges, each with the box of its part in the cell.
-  void clip_edges(std::vector<Entry>& entries, std::size_t begin, Cell& cell) const {
-    const std::vector<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
+  void clip_edges(Array<Entry>& entries, std::size_t begin, Cell& cell) const {
+    const Array<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
     entries.resize(begin);
     for (const Entry& run : runs) {
       for (std::uint32_t e = run.first; e < run.last; ++e) {
@@ -129,8 +153,8 @@ class Finder {
   }
 
   /// What of entries[begin..] is left of the cut stays in their place, up to the returned index.
-  std::size_t divide_all(std::vector<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
-                         std::vector<Entry>& right) const {
+  std::size_t divide_all(Array<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
+                         Array<Entry>& right) const {
     if (!cell.clipped) return divide_runs(run_points(), entries, begin, cut, right);
     std::size_t left_end = begin;
     for (std::size_t i = begin; i < entries.size(); ++i) {
@@ -143,20 +167,20 @@ class Finder {
     return left_end;
   }
 
-  void split_in_parallel(std::vector<Entry> entries, Cell cell, tbb::task_group& tasks) {
+  void split_in_parallel(Array<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
     CellCut cut;
     if (entries.size() > runs_of_one_thread) {
-      std::vector<RunPair> batch;
+      PairBatch batch(visit_);
       cut = choose_cut(entries, 0, cell, batch);
-      if (!batch.empty()) visit_(batch);
+      batch.visit();
     }
     if (cut.growth == infinity) {
       split(std::move(entries), cell);
       return;
     }
     // A task is called as const, so its boxes travel behind a pointer.
-    const auto right = std::make_shared<std::vector<Entry>>();
+    const auto right = std::make_shared<Array<Entry>>();
     reserve_in_large_pages(*right, entries.size() * 5 / 8);
     const std::size_t left_end = divide_all(entries, 0, cut, cell, *right);
     entries.resize(left_end);
@@ -168,10 +192,10 @@ class Finder {
   }
 
   /// Depth first, on one array used as a stack: the cell on top owns its tail.
-  void split(std::vector<Entry> entries, const Cell& root) {
-    std::vector<RunPair> batch;
-    std::vector<Entry> right;
-    std::vector<Task> stack{{0, root}};
+  void split(Array<Entry> entries, const Cell& root) {
+    PairBatch batch(visit_);
+    Array<Entry> right;
+    Array<Task> stack{{0, root}};
     while (!stack.empty()) {
       Task task = stack.back();
       stack.pop_back();
@@ -193,15 +217,14 @@ class Finder {
       stack.push_back({task.begin, left_cell});
       stack.push_back({left_end, right_cell});
     }
-    if (!batch.empty()) visit_(batch);
+    batch.visit();
   }
 
   /// Flat edges that go through the cell along an axis meet what their values across it say: sorted by those they are
   /// paired with whatever they reach and are out of the way, while cuts would copy them down to the smallest cells. As
   /// in a segment tree, an edge goes through O(log n) cells when it first goes through one. False, and nothing done,
   /// where such edges are few.
-  bool match_crossers(Axis axis, std::vector<Entry>& entries, std::size_t begin, const Cell& cell,
-                      std::vector<RunPair>& batch) const {
+  bool match_crossers(Axis axis, Array<Entry>& entries, std::size_t begin, const Cell& cell, PairBatch& batch) const {
     const std::span<Entry> all = tail(entries, begin);
     const auto stays = [&](const Entry& e) {
       return low(e.box, axis) > low(cell.box, axis) || high(e.box, axis) < high(cell.box, axis) ||
@@ -216,15 +239,15 @@ class Finder {
     std::sort(others.begin(), others.end(), before);
     std::sort(crossers.begin(), crossers.end(), before);
     // Each with those that begin not before it, and before it ends.
-    const auto match = [&](const Entry& e, std::span<const Entry> sorted, std::vector<RunPair>& found) {
+    const auto match = [&](const Entry& e, std::span<const Entry> sorted, PairBatch& found) {
       const double reach = high(e.box, across) + nearness_.margin;
       for (const Entry& q : sorted) {
         if (low(q.box, across) > reach) break;
-        add(e, q, found);
+        found.add_if(1, e, q);
       }
     };
     // Crossers from one to another, and the others that begin before them.
-    const auto match_range = [&](std::size_t first, std::size_t past, std::vector<RunPair>& found) {
+    const auto match_range = [&](std::size_t first, std::size_t past, PairBatch& found) {
       const auto begin_other =
           first == 0 ? others.begin() : std::lower_bound(others.begin(), others.end(), crossers[first - 1], before);
       auto other = static_cast<std::size_t>(begin_other - others.begin());
@@ -240,9 +263,9 @@ class Finder {
       match_range(0, crossers.size(), batch);
     } else {
       for_ranges(crossers.size(), crossers_a_task, [&](std::size_t first, std::size_t past) {
-        std::vector<RunPair> found;
+        PairBatch found(visit_);
         match_range(first, past, found);
-        if (!found.empty()) visit_(found);
+        found.visit();
       });
     }
     entries.resize(begin + staying);
@@ -251,7 +274,7 @@ class Finder {
 
   /// Tests every pair of a cell by a sweep along the axis on which the boxes spread more: of each box only those that
   /// begin before its end need a look.
-  void test_all(std::span<Entry> entries, std::vector<RunPair>& batch) const {
+  void test_all(std::span<Entry> entries, PairBatch& batch) const {
     double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity, x_sum = 0, y_sum = 0;
     for (const Entry& e : entries) {
       x_low = std::min(x_low, e.box.x0);
@@ -268,7 +291,7 @@ class Finder {
   }
 
   template <double Box::*begin, double Box::*end, double Box::*low, double Box::*high>
-  void sweep(std::span<Entry> entries, std::vector<RunPair>& batch) const {
+  void sweep(std::span<Entry> entries, PairBatch& batch) const {
     const double margin = nearness_.margin;
     std::sort(entries.begin(), entries.end(),
               [](const Entry& p, const Entry& q) { return p.box.*begin < q.box.*begin; });
@@ -276,19 +299,10 @@ class Finder {
       const Entry& p = entries[i];
       const double reach = p.box.*end + margin, lowest = p.box.*low - margin, highest = p.box.*high + margin;
       for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= reach; ++j) {
-        const Entry& q = entries[j];
-        if (q.box.*high < lowest || q.box.*low > highest) continue;
-        add(p, q, batch);
+        const Box& q = entries[j].box;
+        batch.add_if(static_cast<int>(q.*high >= lowest) & static_cast<int>(q.*low <= highest), p, entries[j]);
       }
     }
-  }
-
-  void add(const Entry& p, const Entry& q, std::vector<RunPair>& batch) const {
-    if (p.group == q.group && p.group != any_group) return;
-    batch.push_back({p.first, p.last, q.first, q.last});
-    if (batch.size() < batch_size) return;
-    visit_(batch);
-    batch.clear();
   }
 
   std::span<const Point> points_;
@@ -299,7 +313,7 @@ class Finder {
 
 }  // namespace
 
-void find_pairs(std::span<const Point> points, std::vector<Run> runs, const PairVisitor& visit, PairGoal goal,
+void find_pairs(std::span<const Point> points, Array<Run> runs, const PairVisitor& visit, PairGoal goal,
                 const Nearness& nearness) {
   Finder(points, visit, goal, nearness).run(std::move(runs));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "noding/edges_in.h"
 
 namespace oblast::noding {
@@ -160,8 +161,8 @@ bool RingTree::edges_meet(std::uint32_t i, std::uint32_t j, std::uint32_t ring) 
   return segments_meet(a, b, c, d);
 }
 
-std::optional<std::vector<bool>> RingTree::odd_depths() const {
-  std::vector<bool> odd(ends_.size());
+std::optional<Array<bool>> RingTree::odd_depths() const {
+  Array<bool> odd(ends_.size());
   std::size_t looks = 0;
   for (std::uint32_t ring = 0; ring < ends_.size(); ++ring) {
     const std::optional<bool> answer = is_odd(ring, looks);

@@ -16,8 +16,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {
@@ -34,7 +34,7 @@ class RingTree {
 
   /// By ring, whether it lies in an odd number of the others. Nothing where that takes too long.
   /// REQUIRES: edges do not meet.
-  std::optional<std::vector<bool>> odd_depths() const;
+  std::optional<Array<bool>> odd_depths() const;
 
  private:
   struct Leaf {
@@ -62,11 +62,11 @@ class RingTree {
 
   std::span<const Point> points_;
   std::span<const std::uint32_t> ends_;
-  std::vector<Leaf> leaves_;
-  std::vector<std::uint32_t> first_leaves_;  ///< by ring, and past the last one
-  std::vector<Box> boxes_;                   ///< level by level, leaves first
-  std::vector<std::uint8_t> directions_;     ///< as boxes_: a bit for each in which all edges there get on
-  std::vector<std::uint32_t> level_begins_;
+  Array<Leaf> leaves_;
+  Array<std::uint32_t> first_leaves_;  ///< by ring, and past the last one
+  Array<Box> boxes_;                   ///< level by level, leaves first
+  Array<std::uint8_t> directions_;     ///< as boxes_: a bit for each in which all edges there get on
+  Array<std::uint32_t> level_begins_;
 };
 
 }  // namespace oblast::noding

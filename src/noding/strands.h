@@ -13,7 +13,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <vector>
+
+#include "memory/call_memory.h"
 
 namespace oblast::noding {
 
@@ -58,13 +59,13 @@ inline constexpr Group any_group = 0;
 enum class Simplicity : std::uint8_t { known, assumed };
 
 struct Strands {
-  std::vector<Point> points;
-  std::vector<std::uint8_t> flags;     ///< by vertex
-  std::vector<std::uint32_t> origin;   ///< by vertex, once cut: input edge that an added vertex lies on
-  std::vector<std::uint32_t> ends;     ///< by strand: past its last vertex
-  std::vector<Winding> change;         ///< by strand
-  std::vector<Group> group;            ///< by strand
-  std::vector<Simplicity> simplicity;  ///< by strand
+  Array<Point> points;
+  Array<std::uint8_t> flags;     ///< by vertex
+  Array<std::uint32_t> origin;   ///< by vertex, once cut: input edge that an added vertex lies on
+  Array<std::uint32_t> ends;     ///< by strand: past its last vertex
+  Array<Winding> change;         ///< by strand
+  Array<Group> group;            ///< by strand
+  Array<Simplicity> simplicity;  ///< by strand
   Parity parity;
 
   /// A vertex's flags while other threads may set some; add_flag() is how they do.

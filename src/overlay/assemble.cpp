@@ -65,20 +65,20 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
 
 RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   constexpr std::size_t rings_a_task = 1024;
-  std::vector<Rotation> rotations(rings.size(), Rotation(rings));
+  Array<Rotation> rotations(rings.size(), Rotation(rings));
   for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) rotations[r] = canonical_rotation(rings, r);
   });
 
   // Polygons by their outer rings; the rings of each together, the outer one first.
-  std::vector<PolygonKey> polygons(nesting.polygon_count);
-  std::vector<std::uint32_t> ends(nesting.polygon_count + 1, 0);
+  Array<PolygonKey> polygons(nesting.polygon_count);
+  Array<std::uint32_t> ends(nesting.polygon_count + 1, 0);
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
     ++ends[nesting.polygon[r] + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<std::uint32_t> members(rings.size());
+  Array<std::uint32_t> members(rings.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
   tbb::parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
     return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
@@ -88,7 +88,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   resize_in_large_pages(result.points, rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
-  std::vector<std::uint32_t> order;  // of the rings in the result
+  Array<std::uint32_t> order;  // of the rings in the result
   order.reserve(rings.size());
   std::uint32_t size = 0;
   for (const PolygonKey& polygon : polygons) {
@@ -112,14 +112,14 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   return result;
 }
 
-RegionSet join(std::vector<RegionSet> parts) {
+RegionSet join(Array<RegionSet> parts) {
   if (parts.size() == 1) return std::move(parts[0]);
   struct Polygon {
     Point first;  // no other polygon starts there: parts have no point in common
     std::uint32_t part, index;
     std::uint32_t point, contour;  // where it begins in the result
   };
-  std::vector<Polygon> polygons;
+  Array<Polygon> polygons;
   std::size_t points = 0, contours = 0;
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
     const RegionView view = parts[i];

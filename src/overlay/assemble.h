@@ -3,6 +3,7 @@
 
 #include <oblast/region_set.h>
 
+#include "memory/call_memory.h"
 #include "overlay/nesting.h"
 
 namespace oblast {
@@ -13,6 +14,6 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting);
 
 /// One region set of several, each in canonical order, that have no point in common. Cost: O(n + p log p),
 /// p polygons.
-RegionSet join(std::vector<RegionSet> parts);
+RegionSet join(Array<RegionSet> parts);
 
 }  // namespace oblast

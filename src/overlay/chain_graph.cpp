@@ -137,7 +137,7 @@ class ChainCutter {
   }
 
   const Strands& strands_;
-  std::vector<Range> ranges_;
+  Array<Range> ranges_;
 };
 
 constexpr std::size_t stops_a_task = 32768;
@@ -149,7 +149,7 @@ struct NodeRange {
 };
 
 /// Step 2a: puts the stops in order. Of the ranges the last one is past all.
-std::vector<NodeRange> order_stops(const Strands& strands, Stops& stops) {
+Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   LargeArray<Point> places;
   resize_in_large_pages(places, stops.vertex.size());
   for_ranges(places.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
@@ -162,7 +162,7 @@ std::vector<NodeRange> order_stops(const Strands& strands, Stops& stops) {
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };
   // Ranges of whole keys: stops of one key are sorted together, and stops at one place are among them.
-  std::vector<NodeRange> ranges;
+  Array<NodeRange> ranges;
   ranges.reserve(order.size() / stops_a_task + 2);
   ranges.push_back({0});
   for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
@@ -236,7 +236,7 @@ void merge_coincident_chains(ChainGraph& graph, std::span<const Aimed> coinciden
   graph.chains[chain_of(kept)].change = graph.strands.parity.reduce(is_backward(kept) ? -change : change);
 }
 
-void sort_by_angle(const Point& x, std::vector<Aimed>& list) {
+void sort_by_angle(const Point& x, Array<Aimed>& list) {
   std::sort(list.begin(), list.end(), [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
 }
 
@@ -246,7 +246,7 @@ bool build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
   std::atomic<bool> merged = false;
   constexpr std::size_t nodes_a_task = 8192;
   for_ranges(graph.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
-    std::vector<Aimed> list;
+    Array<Aimed> list;
     list.reserve(16);
     for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
       list.clear();
@@ -278,7 +278,7 @@ void drop_dead_chains(ChainGraph& graph) {
     std::uint32_t begin = 0, kept = 0, before = 0;
   };
   constexpr std::size_t nodes_a_range = 1 << 14;
-  std::vector<Range> ranges(range_count(graph.node_count(), nodes_a_range));
+  Array<Range> ranges(range_count(graph.node_count(), nodes_a_range));
   for (std::size_t range = 1; range < ranges.size(); ++range)
     ranges[range].begin = graph.list_ends[range * nodes_a_range - 1];
   for_numbered_ranges(graph.node_count(), nodes_a_range, [&](std::size_t range, std::size_t first, std::size_t past) {

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <iterator>
 #include <utility>
-#include <vector>
 
 #include "memory/large_pages.h"
 #include "overlay/rings.h"
@@ -19,7 +18,7 @@ class TraceFinder {
   TraceFinder(const ChainGraph& graph, const Selection& selection)
       : graph_(graph), selection_(selection), flags_(graph.node_count(), 0) {}
 
-  std::vector<std::uint8_t> run() {
+  Array<std::uint8_t> run() {
     flag_touches();
     find_sources();
     if (!sources_.empty()) {
@@ -61,7 +60,7 @@ class TraceFinder {
   }
 
   void find_sources() {
-    std::vector<std::uint8_t> input_vertex(graph_.node_count(), 0);
+    Array<std::uint8_t> input_vertex(graph_.node_count(), 0);
     const auto note = [&](std::uint32_t node) {
       std::atomic_ref(input_vertex[node]).store(1, std::memory_order_relaxed);
     };
@@ -73,7 +72,7 @@ class TraceFinder {
         if (!added(chain.last)) note(chain.to);
       }
     });
-    std::vector<std::vector<Source>> found(range_count(graph_.chains.size(), elements_a_task));
+    Array<Array<Source>> found(range_count(graph_.chains.size(), elements_a_task));
     for_numbered_ranges(graph_.chains.size(), elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
       // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
       for (std::size_t c = std::max<std::size_t>(begin, 1); c < end; ++c) {
@@ -84,22 +83,22 @@ class TraceFinder {
         found[i].push_back({after.from, graph_.strands.origin[after.first]});
       }
     });
-    for (const std::vector<Source>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
+    for (const Array<Source>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
     for (const Source& source : sources_) flags_[source.node] |= trace_vertex;
     std::sort(sources_.begin(), sources_.end());
     sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
   }
 
-  std::vector<std::uint32_t> edges_at(std::uint32_t node) const {
-    std::vector<std::uint32_t> edges;
+  Array<std::uint32_t> edges_at(std::uint32_t node) const {
+    Array<std::uint32_t> edges;
     for (auto it = std::lower_bound(sources_.begin(), sources_.end(), Source{node, 0});
          it != sources_.end() && it->node == node; ++it)
       edges.push_back(it->edge);
     return edges;
   }
 
-  static std::vector<std::uint32_t> common(const std::vector<std::uint32_t>& p, const std::vector<std::uint32_t>& q) {
-    std::vector<std::uint32_t> both;
+  static Array<std::uint32_t> common(const Array<std::uint32_t>& p, const Array<std::uint32_t>& q) {
+    Array<std::uint32_t> both;
     std::set_intersection(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
     return both;
   }
@@ -117,7 +116,7 @@ class TraceFinder {
 
   /// Two neighbours that are traces of different edges hold a corner between them: both stay.
   void part_unrelated_neighbours() {
-    std::vector<std::uint32_t> stay;
+    Array<std::uint32_t> stay;
     for (std::uint32_t node = 0; node < flags_.size(); ++node) {
       for (const std::uint32_t other : neighbours_[node].node)
         if (other != none && common(edges_at(node), edges_at(other)).empty()) stay.push_back(node);
@@ -127,13 +126,13 @@ class TraceFinder {
 
   /// A run of neighbours is straightened into one edge only if all are traces of one input edge.
   void check_runs() {
-    std::vector<bool> visited(flags_.size(), false);
-    std::vector<std::uint32_t> run;
+    Array<bool> visited(flags_.size(), false);
+    Array<std::uint32_t> run;
     for (std::uint32_t node = 0; node < flags_.size(); ++node) {
       if (!is_trace(node) || visited[node]) continue;
       run.assign(1, node);
       visited[node] = true;
-      std::vector<std::uint32_t> edges = edges_at(node);
+      Array<std::uint32_t> edges = edges_at(node);
       for (std::size_t i = 0; i < run.size(); ++i) {
         for (const std::uint32_t other : neighbours_[run[i]].node) {
           if (other == none || !is_trace(other) || visited[other]) continue;
@@ -149,15 +148,15 @@ class TraceFinder {
 
   const ChainGraph& graph_;
   const Selection& selection_;
-  std::vector<std::uint8_t> flags_;
-  std::vector<std::uint32_t> degree_;
-  std::vector<Source> sources_;
-  std::vector<Neighbours> neighbours_;
+  Array<std::uint8_t> flags_;
+  Array<std::uint32_t> degree_;
+  Array<Source> sources_;
+  Array<Neighbours> neighbours_;
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection) {
+Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection) {
   return TraceFinder(graph, selection).run();
 }
 

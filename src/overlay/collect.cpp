@@ -23,7 +23,7 @@ using noding::Winding;
 
 /// Appends the ring to the points without repeated neighbours and without its closing point; -0.0 becomes 0.0. Where
 /// fewer than three vertices are left, none are.
-std::span<const Point> append_clean(std::span<const Point> ring, std::vector<Point>& points) {
+std::span<const Point> append_clean(std::span<const Point> ring, Array<Point>& points) {
   const std::size_t begin = points.size();
   for (const Point& p : ring) {
     const Point q{p.x + 0.0, p.y + 0.0};
@@ -51,7 +51,7 @@ class PolygonReader {
 
  private:
   struct Scratch {
-    std::vector<std::uint32_t> ends;  ///< of the polygon's rings, counted from its first point
+    Array<std::uint32_t> ends;  ///< of the polygon's rings, counted from its first point
     noding::RingTree tree;
   };
 
@@ -95,7 +95,7 @@ class PolygonReader {
     scratch.tree.build(points, scratch.ends);
     const std::optional<bool> meet = scratch.tree.edges_meet();
     if (!meet || *meet) return false;
-    const std::optional<std::vector<bool>> odd_depths = scratch.tree.odd_depths();
+    const std::optional<Array<bool>> odd_depths = scratch.tree.odd_depths();
     if (!odd_depths) return false;
     const auto offset = static_cast<std::uint32_t>(strands.points.size() - points.size());
     for (std::size_t r = 0, begin = 0; r < scratch.ends.size(); begin = scratch.ends[r++]) {
@@ -113,7 +113,7 @@ class PolygonReader {
     const std::uint32_t begin = operand_.polygon_begin(polygon), end = operand_.polygon_end(polygon);
     if (begin == end) return false;
     const std::uint32_t first_point = operand_.contour_begin(begin);
-    std::vector<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
+    Array<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
     for (std::uint32_t& e : ends) e -= first_point;
     const RegionView rings{operand_.points.subspan(first_point, ends.back()), ends, {}};
     return resolve(rings, winding(1), group(polygon), control_, strands);
@@ -147,7 +147,7 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
     for (std::size_t part = 0; part < parts; ++part) statistics.resolved_polygons += read_part(part, strands);
     return;
   }
-  std::vector<Strands> read(parts);
+  Array<Strands> read(parts);
   std::atomic<std::uint64_t> resolved = 0;
   tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) { resolved += read_part(part, read[part]); });
   for (Strands& part : read) {

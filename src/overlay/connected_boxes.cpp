@@ -139,10 +139,10 @@ class Connector {
   }
 
   const LargeArray<std::uint32_t>& order_;
-  DisjointSets sets_;                 ///< of places in the order
-  LargeArray<Box> boxes_;             ///< level by level, those along the curve first
-  std::vector<std::uint8_t> is_one_;  ///< by node: all under it are known to be connected
-  std::vector<std::size_t> begins_;   ///< by level
+  DisjointSets sets_;           ///< of places in the order
+  LargeArray<Box> boxes_;       ///< level by level, those along the curve first
+  Array<std::uint8_t> is_one_;  ///< by node: all under it are known to be connected
+  Array<std::size_t> begins_;   ///< by level
 };
 
 }  // namespace

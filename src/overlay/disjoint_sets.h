@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <vector>
+
+#include "memory/call_memory.h"
 
 namespace oblast {
 
@@ -25,7 +26,7 @@ class DisjointSets {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  Array<std::uint32_t> parent_;
 };
 
 }  // namespace oblast

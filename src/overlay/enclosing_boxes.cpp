@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "memory/call_memory.h"
+
 namespace oblast {
 namespace {
 
@@ -46,15 +48,15 @@ class PointGrid {
 
   Box around_;
   std::uint32_t side_;
-  std::vector<std::uint32_t> ends_;    ///< by cell
-  std::vector<std::uint32_t> points_;  ///< by cell: their indices
+  Array<std::uint32_t> ends_;    ///< by cell
+  Array<std::uint32_t> points_;  ///< by cell: their indices
 };
 
 }  // namespace
 
 Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points) {
   const std::size_t count = boxes.size();
-  Enclosure found{std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 0)};
+  Enclosure found{Array<std::uint8_t>(count, 0), Array<std::uint8_t>(count, 0)};
   if (count < 2) return found;
   Box around = boxes[0];
   for (const Box& b : boxes) around = around.joined(b);
@@ -66,8 +68,7 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
     for (std::uint32_t row = grid.row(box.y0); row <= grid.row(box.y1); ++row) {
       const auto near = grid.points(row, first_column, last_column);
       looks += 1 + near.size();
-      if (looks > looks_by_box * count)
-        return {std::vector<std::uint8_t>(count, 1), std::vector<std::uint8_t>(count, 1)};
+      if (looks > looks_by_box * count) return {Array<std::uint8_t>(count, 1), Array<std::uint8_t>(count, 1)};
       for (const std::uint32_t j : near) {
         if (j == i || !box.meets(Box::of(points[j], points[j]))) continue;
         found.encloses[i] = 1;

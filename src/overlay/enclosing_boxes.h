@@ -6,15 +6,15 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast {
 
 struct Enclosure {
-  std::vector<std::uint8_t> encloses;  ///< by box: it holds the point of another (or it is not known)
-  std::vector<std::uint8_t> enclosed;  ///< by box: its point is in another (or it is not known)
+  Array<std::uint8_t> encloses;  ///< by box: it holds the point of another (or it is not known)
+  Array<std::uint8_t> enclosed;  ///< by box: its point is in another (or it is not known)
 };
 
 /// REQUIRES: points[i] in boxes[i]. Cost: O(n).

@@ -52,7 +52,7 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     bool a = false, b = false;
     std::uint32_t batch = none;
   };
-  std::vector<Part> part(count);  // by component
+  Array<Part> part(count);  // by component
   for (std::uint32_t s = 0; s < count; ++s) {
     Part& p = part[connected.component[s]];
     p.vertices += strands.ends[s] - strands.begin(s);
@@ -62,7 +62,7 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
 
   // Small parts of one batch are taken as the strands come, not as they lie: far from each other, they do not disturb
   // each other's sweeps.
-  std::vector<std::uint32_t> size;  // by batch: its strands
+  Array<std::uint32_t> size;  // by batch: its strands
   std::size_t filled = batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
     Part& p = part[connected.component[s]];
@@ -106,7 +106,7 @@ Strands batch_of(const Strands& strands, const IndependentParts& parts, std::siz
 }
 
 Strands only_batch(Strands strands, const IndependentParts& parts, std::size_t batch) {
-  std::vector<bool> kept(strands.size(), false);
+  Array<bool> kept(strands.size(), false);
   for (std::uint32_t i = batch == 0 ? 0 : parts.ends[batch - 1]; i < parts.ends[batch]; ++i)
     kept[parts.strands[i]] = true;
   std::uint32_t count = 0, size = 0, begin = 0;

@@ -11,15 +11,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/strands.h"
 
 namespace oblast {
 
 struct IndependentParts {
-  std::vector<std::uint32_t> strands;  ///< batch by batch; of a batch in an order that keeps neighbours together
-  std::vector<std::uint32_t> ends;     ///< by batch: past its last strand. A batch is one large part or several small
+  Array<std::uint32_t> strands;  ///< batch by batch; of a batch in an order that keeps neighbours together
+  Array<std::uint32_t> ends;     ///< by batch: past its last strand. A batch is one large part or several small
 
   std::size_t size() const { return ends.size(); }
 };

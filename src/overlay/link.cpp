@@ -16,10 +16,10 @@ struct Paths {
   const ChainGraph& graph;
   const Selection& selection;
   ContourConvention convention;
-  std::vector<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
-  std::vector<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
+  Array<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
+  Array<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
   /// By node, for ogc: index in the path of the descriptor that starts there.
-  std::vector<std::uint32_t> place_on_path;
+  Array<std::uint32_t> place_on_path;
 
   bool leaves(Descriptor d) const { return selection[chain_of(d)] == d; }
   bool arrives(Descriptor d) const { return selection[chain_of(d)] == opposite(d); }
@@ -53,11 +53,11 @@ class WalkCollector {
     collect(first_chain, [](std::uint32_t, std::uint32_t) { return true; });
   }
 
-  std::vector<Descriptor> descriptors;
-  std::vector<std::uint32_t> ends;  ///< by contour
-  std::vector<std::uint32_t> walk;  ///< by contour
+  Array<Descriptor> descriptors;
+  Array<std::uint32_t> ends;  ///< by contour
+  Array<std::uint32_t> walk;  ///< by contour
   std::uint32_t walk_count = 0;
-  std::vector<std::uint32_t> far_chains;  ///< begin in the range, and belong to walks that leave it
+  Array<std::uint32_t> far_chains;  ///< begin in the range, and belong to walks that leave it
 
  private:
   /// One walk; or nothing, where it comes to a chain that is not near by its first node.
@@ -115,7 +115,7 @@ class WalkCollector {
   }
 
   Paths& paths_;
-  std::vector<Descriptor> path_;
+  Array<Descriptor> path_;
 };
 
 class Linker {
@@ -132,7 +132,7 @@ class Linker {
     // Nodes that are near in the plane are near in memory, so most short walks stay within a range.
     constexpr std::size_t nodes_a_range = 8192;
     const std::size_t node_count = paths_.graph.node_count(), in_ranges = node_count <= nodes_a_range ? 0 : node_count;
-    std::vector<WalkCollector> collectors(range_count(in_ranges, nodes_a_range) + 1, WalkCollector(paths_));
+    Array<WalkCollector> collectors(range_count(in_ranges, nodes_a_range) + 1, WalkCollector(paths_));
     for_numbered_ranges(in_ranges, nodes_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
       collectors[i].collect_near(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
     });
@@ -169,14 +169,14 @@ class Linker {
     });
   }
 
-  LinkedContours join(std::vector<WalkCollector> collectors) {
+  LinkedContours join(Array<WalkCollector> collectors) {
     LinkedContours linked;
     if (collectors.size() == 1) {
       WalkCollector& only = collectors[0];
       return {std::move(only.descriptors), std::move(only.ends), std::move(only.walk), std::move(paths_.walk_of_chain),
               only.walk_count};
     }
-    std::vector<std::uint32_t> first_descriptor, first_contour, first_walk;
+    Array<std::uint32_t> first_descriptor, first_contour, first_walk;
     std::uint32_t descriptors = 0, contours = 0;
     for (const WalkCollector& part : collectors) {
       first_descriptor.push_back(descriptors);

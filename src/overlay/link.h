@@ -14,18 +14,18 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/select.h"
 
 namespace oblast {
 
 /// Contours as sequences of descriptors, and the walk each was parted from.
 struct LinkedContours {
-  std::vector<Descriptor> descriptors;
-  std::vector<std::uint32_t> ends;           ///< by contour
-  std::vector<std::uint32_t> walk;           ///< by contour
-  std::vector<std::uint32_t> walk_of_chain;  ///< by chain; none where not selected
+  Array<Descriptor> descriptors;
+  Array<std::uint32_t> ends;           ///< by contour
+  Array<std::uint32_t> walk;           ///< by contour
+  Array<std::uint32_t> walk_of_chain;  ///< by chain; none where not selected
   std::uint32_t walk_count = 0;
 
   std::span<const Descriptor> contour(std::size_t c) const {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast {
 namespace {
@@ -41,7 +42,7 @@ class Sweep {
     }
   }
 
-  std::vector<Below> run();
+  Array<Below> run();
 
  private:
   /// The order of the status, from below to above. Of two runs compared the later one is being put in:
@@ -83,14 +84,14 @@ class Sweep {
 
   const ChainGraph& graph_;
   std::span<const BelowQuery> queries_;
-  std::vector<std::uint32_t> order_;  ///< queries, sorted by p
-  std::vector<SweepRun> runs_;
-  std::vector<Point> start_points_;
+  Array<std::uint32_t> order_;  ///< queries, sorted by p
+  Array<SweepRun> runs_;
+  Array<Point> start_points_;
 };
 
-std::vector<Below> Sweep::run() {
-  std::vector<Below> answers(queries_.size());
-  std::vector<std::uint32_t> starts(runs_.size()), finishes(runs_.size());
+Array<Below> Sweep::run() {
+  Array<Below> answers(queries_.size());
+  Array<std::uint32_t> starts(runs_.size()), finishes(runs_.size());
   std::iota(starts.begin(), starts.end(), 0U);
   std::iota(finishes.begin(), finishes.end(), 0U);
   start_points_.resize(runs_.size());
@@ -105,7 +106,7 @@ std::vector<Below> Sweep::run() {
   // Nodes of runs that finished are used again for others: allocations as many as the status is large. (libstdc++'s
   // pool resource would do the same, but crashes when memory runs out.)
   std::set<std::uint32_t, Lower> status(Lower{this});
-  std::vector<decltype(status)::node_type> spare;
+  Array<decltype(status)::node_type> spare;
   const auto insert = [&](std::uint32_t run) {
     if (spare.empty()) return status.insert(run).first;
     auto node = std::move(spare.back());
@@ -113,7 +114,7 @@ std::vector<Below> Sweep::run() {
     node.value() = run;
     return status.insert(std::move(node)).position;
   };
-  std::vector<decltype(status)::iterator> places(runs_.size());
+  Array<decltype(status)::iterator> places(runs_.size());
 
   std::size_t next_start = 0, next_finish = 0;
   for (const std::uint32_t query : order_) {
@@ -143,8 +144,8 @@ std::vector<Below> Sweep::run() {
 
 }  // namespace
 
-std::vector<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
-                                std::span<const BelowQuery> queries) {
+Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
+                          std::span<const BelowQuery> queries) {
   if (queries.empty()) return {};
   Sweep sweep(graph, queries);
   for (const std::uint32_t chain : chains) sweep.add(chain);

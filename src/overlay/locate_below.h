@@ -10,8 +10,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast {
@@ -31,7 +31,7 @@ struct Below {
 
 /// One answer a query. REQUIRES: the chains named by `chains` meet only at their ends.
 /// Cost: O(n + (r + q) log(r + q)), n vertices, r runs, q queries.
-std::vector<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
-                                std::span<const BelowQuery> queries);
+Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
+                          std::span<const BelowQuery> queries);
 
 }  // namespace oblast

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "overlay/locate_below.h"
 #include "overlay/smallest_vertex.h"
 #include "parallel/for_ranges.h"
@@ -45,8 +46,8 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   Nesting nesting;
   nesting.polygon.resize(rings.size());
   nesting.outer.resize(rings.size());
-  std::vector<std::uint32_t> polygon_of_walk(linked.walk_count, none);
-  std::vector<BelowQuery> arrivals(rings.size());
+  Array<std::uint32_t> polygon_of_walk(linked.walk_count, none);
+  Array<BelowQuery> arrivals(rings.size());
   constexpr std::size_t rings_a_task = 1024;
   for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
@@ -59,7 +60,7 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
     if (nesting.outer[r]) polygon_of_walk[linked.walk[r]] = nesting.polygon_count++;
 
   // Of each walk of holes, the ring that is lowest and leftmost.
-  std::vector<std::uint32_t> first_ring(linked.walk_count, none);
+  Array<std::uint32_t> first_ring(linked.walk_count, none);
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     std::uint32_t& first = first_ring[linked.walk[r]];
     if (polygon_of_walk[linked.walk[r]] == none && (first == none || lower(arrivals[r], arrivals[first]))) first = r;
@@ -67,15 +68,15 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   std::erase(first_ring, none);
   std::sort(first_ring.begin(), first_ring.end(),
             [&](std::uint32_t r, std::uint32_t s) { return lexicographically_less(arrivals[r].p, arrivals[s].p); });
-  std::vector<BelowQuery> queries;
+  Array<BelowQuery> queries;
   queries.reserve(first_ring.size());
   for (const std::uint32_t r : first_ring) queries.push_back(arrivals[r]);
-  std::vector<std::uint32_t> selected;
+  Array<std::uint32_t> selected;
   if (!queries.empty()) {
     for (std::uint32_t c = 0; c < selection.size(); ++c)
       if (selection[c] != none) selected.push_back(c);
   }
-  const std::vector<Below> below = locate_below(graph, selected, queries);
+  const Array<Below> below = locate_below(graph, selected, queries);
   for (std::size_t i = 0; i < first_ring.size(); ++i)
     polygon_of_walk[linked.walk[first_ring[i]]] = polygon_of_walk[linked.walk_of_chain[below[i].chain]];
 

@@ -7,15 +7,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/rings.h"
 
 namespace oblast {
 
 struct Nesting {
-  std::vector<std::uint32_t> polygon;  ///< by ring
-  std::vector<std::uint8_t> outer;     ///< by ring: counter-clockwise
+  Array<std::uint32_t> polygon;  ///< by ring
+  Array<std::uint8_t> outer;     ///< by ring: counter-clockwise
   std::uint32_t polygon_count = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "overlay/node_strands.h"
 
+#include "memory/call_memory.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
@@ -15,8 +16,8 @@ using noding::Strands;
 constexpr std::size_t few_vertices = 256;
 
 /// The strands assumed to be simple that are not, sorted; all others are known to be then.
-std::vector<std::uint32_t> find_tangled(Strands& strands) {
-  std::vector<std::uint8_t> found(strands.size(), 0);
+Array<std::uint32_t> find_tangled(Strands& strands) {
+  Array<std::uint8_t> found(strands.size(), 0);
   constexpr std::size_t strands_a_task = 256;
   for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
     noding::RingTree tree;
@@ -27,7 +28,7 @@ std::vector<std::uint32_t> find_tangled(Strands& strands) {
       if (!found[s]) strands.simplicity[s] = Simplicity::known;
     }
   });
-  std::vector<std::uint32_t> tangled;
+  Array<std::uint32_t> tangled;
   for (std::uint32_t s = 0; s < strands.size(); ++s)
     if (found[s]) tangled.push_back(s);
   return tangled;
@@ -37,7 +38,7 @@ std::vector<std::uint32_t> find_tangled(Strands& strands) {
 
 Strands node_strands(Strands strands, noding::NodingReport& report, Control& control, Statistics& statistics) {
   const auto checkpoint = [&] { control.checkpoint(Stage::node, report.rounds == 0 ? 0.0 : 0.8); };
-  const auto resolve_all = [&](const std::vector<std::uint32_t>& tangled) {
+  const auto resolve_all = [&](const Array<std::uint32_t>& tangled) {
     statistics.resolved_polygons += tangled.size();
     strands = resolve_tangled(strands, tangled, control);
   };
@@ -53,7 +54,7 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
     strands = noding::merge_identical_edges(std::move(strands), identical);
     strands = noding::node(std::move(strands), report, checkpoint);
     if (report.tangled.empty()) return strands;
-    const std::vector<std::uint32_t> tangled = std::move(report.tangled);
+    const Array<std::uint32_t> tangled = std::move(report.tangled);
     report = noding::NodingReport(report.measures_displacement);
     resolve_all(tangled);
   }

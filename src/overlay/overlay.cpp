@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "classics/window/fast_path.h"
+#include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
 #include "overlay/pipeline.h"
 #include "overlay/validate.h"
@@ -16,6 +17,24 @@ void check_options(const Options& options) {
     if (rule->kind == FillRule::Kind::at_least && rule->depth < 1)
       throw Error(ErrorCode::bad_option, "at_least needs a depth of 1 or more");
   if (options.threads < 0) throw Error(ErrorCode::bad_option, "threads must be 0 (all cores) or more");
+}
+
+/// A small call: in memory of its own, on the thread that it is made on.
+template <class Work>
+void in_call_memory(const Work& work) {
+  const CallMemory memory;
+  work();
+}
+
+template <class Work>
+void on_threads(int threads, const Work& work) {
+  const LargeCall large;
+  if (threads == 0) {
+    work();
+  } else {
+    tbb::task_arena arena(threads);
+    arena.execute(work);
+  }
 }
 
 RegionSet run(const RegionView& a, const RegionView* b, Operation operation, const Options& options) {
@@ -31,14 +50,11 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   Control control(options);
   PipelineResult result;
   const auto work = [&] { result = run_pipeline(a, b, operation, options, control, statistics); };
-  // So few edges are never divided among threads, however often they cross; not to ask for any saves a microsecond.
   constexpr std::size_t small_call = 128;
-  if (options.threads == 0 || a.points.size() + (b ? b->points.size() : 0) <= small_call) {
-    work();
-  } else {
-    tbb::task_arena arena(options.threads);
-    arena.execute(work);
-  }
+  if (a.points.size() + (b ? b->points.size() : 0) <= small_call)
+    in_call_memory(work);
+  else
+    on_threads(options.threads, work);
   if (options.statistics) {
     statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
     statistics.input_vertices = a.points.size() + (b ? b->points.size() : 0);

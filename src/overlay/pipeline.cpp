@@ -11,6 +11,7 @@
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
 #include "engines/vatti/label.h"
+#include "memory/call_memory.h"
 #include "overlay/assemble.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"
@@ -27,7 +28,7 @@ namespace {
 void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, Statistics& statistics) {
   statistics.rounds = std::max(statistics.rounds, noding.rounds);
   statistics.largest_displacement = std::max(statistics.largest_displacement, noding.largest_displacement);
-  std::vector<bool> cut(graph.node_count(), false);
+  Array<bool> cut(graph.node_count(), false);
   for (const Chain& chain : graph.chains)
     if (!chain.is_loop() && (graph.strands.flags[chain.first] & noding::added_flag)) cut[chain.from] = true;
   statistics.intersections += static_cast<std::uint64_t>(std::count(cut.begin(), cut.end(), true));
@@ -41,7 +42,7 @@ ChainGraph node_stage(noding::Strands strands, const Options& options, Control& 
   return graph;
 }
 
-std::vector<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
+Array<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
   control.checkpoint(Stage::label, 0);
   const StageClock clock(control, statistics, Stage::label);
   switch (engine) {
@@ -61,7 +62,7 @@ struct Outline {
 Selection label_and_select(const ChainGraph& graph, Operation operation, const Options& options, Control& control,
                            Statistics& statistics) {
   // 3. label
-  const std::vector<Winding> right = label_stage(graph, options.engine, control, statistics);
+  const Array<Winding> right = label_stage(graph, options.engine, control, statistics);
 
   // 4. select
   control.checkpoint(Stage::select, 0);
@@ -113,7 +114,7 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
 }
 
 /// What parts did side by side, each stage with its share of the time that passed.
-void add_parts(const std::vector<Statistics>& parts, double elapsed, Statistics& statistics) {
+void add_parts(const Array<Statistics>& parts, double elapsed, Statistics& statistics) {
   double seconds[stage_count] = {}, total = 0;
   for (const Statistics& part : parts) {
     statistics.intersections += part.intersections;
@@ -155,14 +156,14 @@ class Batches {
 
   noding::Strands strands_;
   const IndependentParts& parts_;
-  std::vector<noding::Strands> ready_;
+  Array<noding::Strands> ready_;
 };
 
 PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& parts, Operation operation,
                              const Options& options, Control& control, Statistics& statistics) {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Statistics> done(parts.size());
-  std::vector<RegionSet> regions(parts.size());
+  Array<Statistics> done(parts.size());
+  Array<RegionSet> regions(parts.size());
   std::atomic<bool> touches = false;
   std::atomic<std::size_t> finished = 0;
   Batches batches(std::move(strands), parts);

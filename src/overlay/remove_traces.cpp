@@ -10,6 +10,7 @@
 #include <atomic>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "noding/pair_finder.h"
 #include "overlay/rings.h"
 
@@ -40,7 +41,7 @@ bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d)
 /// The rings as closed strands without the vertices flagged `drop`; `from` is by vertex of the strands.
 struct Straightened {
   Strands strands;
-  std::vector<std::uint32_t> from;  ///< index in the rings
+  Array<std::uint32_t> from;  ///< index in the rings
 };
 
 Straightened straighten(const Rings& rings) {
@@ -77,7 +78,7 @@ class ConflictFinder {
       : rings_(rings), s_(straightened), points_(straightened.strands.points), conflict_(points_.size(), 0) {}
 
   /// By the index of the edge's first vertex in the rings.
-  std::vector<std::uint32_t> run() {
+  Array<std::uint32_t> run() {
     const auto visit = [&](std::span<const noding::RunPair> pairs) {
       for (const noding::RunPair& pair : pairs) {
         for (std::uint32_t i = pair.first_p; i < pair.last_p; ++i) {
@@ -89,7 +90,7 @@ class ConflictFinder {
     };
     // What an edge passes over it need not meet.
     noding::find_pairs(points_, runs(), visit, noding::PairGoal::boxes);
-    std::vector<std::uint32_t> found;
+    Array<std::uint32_t> found;
     for (std::uint32_t e = 0; e < conflict_.size(); ++e)
       if (conflict_[e] || (is_straightened(e) && leaves_box(e))) found.push_back(s_.from[e]);
     return found;
@@ -100,8 +101,8 @@ class ConflictFinder {
   noding::Box box_of(std::uint32_t edge) const { return noding::Box::of(points_[edge], points_[edge + 1]); }
 
   /// Each straightened edge is a run of its own, so that it is tested against its neighbours too.
-  std::vector<noding::Run> runs() const {
-    std::vector<noding::Run> single;
+  Array<noding::Run> runs() const {
+    Array<noding::Run> single;
     for (const noding::Run& run : noding::monotone_runs(s_.strands, noding::Grouping::by_moved)) {
       if (run.group != noding::any_group) {
         single.push_back(run);
@@ -173,8 +174,8 @@ class ConflictFinder {
 
   const Rings& rings_;
   const Straightened& s_;
-  const std::vector<Point>& points_;
-  std::vector<std::uint8_t> conflict_;
+  const Array<Point>& points_;
+  Array<std::uint8_t> conflict_;
 };
 
 /// Gives the trace vertices after `vertex` back, up to the next that stays.
@@ -209,7 +210,7 @@ Rings remove_traces(Rings rings, CollinearVertices collinear) {
   const auto is_trace = [](std::uint8_t f) { return (f & trace_vertex) != 0; };
   while (std::any_of(rings.flags.begin(), rings.flags.end(), is_trace)) {
     const Straightened straightened = straighten(rings);
-    const std::vector<std::uint32_t> conflicts = ConflictFinder(rings, straightened).run();
+    const Array<std::uint32_t> conflicts = ConflictFinder(rings, straightened).run();
     if (conflicts.empty()) {
       rings = without(rings, [&](std::size_t, std::uint32_t v) { return is_trace(rings.flags[v]); });
       break;

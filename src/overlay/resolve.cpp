@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "memory/call_memory.h"
 #include "overlay/pipeline.h"
 
 namespace oblast {
@@ -25,7 +26,7 @@ bool resolve(const RegionView& rings, noding::Winding winding, noding::Group gro
   return inner.intersections > 0 || result.touches;
 }
 
-Strands resolve_tangled(const Strands& strands, const std::vector<std::uint32_t>& tangled, Control& control) {
+Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tangled, Control& control) {
   Strands result;
   result.parity = strands.parity;
   result.points.reserve(strands.points.size());

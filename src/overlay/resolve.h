@@ -3,6 +3,7 @@
 
 #include <oblast/region_set.h>
 
+#include "memory/call_memory.h"
 #include "noding/strands.h"
 #include "overlay/control.h"
 
@@ -14,7 +15,6 @@ bool resolve(const RegionView& rings, noding::Winding winding, noding::Group gro
              noding::Strands& strands);
 
 /// The strands with the contours `tangled`, which were assumed to be simple, resolved. REQUIRES: sorted.
-noding::Strands resolve_tangled(const noding::Strands& strands, const std::vector<std::uint32_t>& tangled,
-                                Control& control);
+noding::Strands resolve_tangled(const noding::Strands& strands, const Array<std::uint32_t>& tangled, Control& control);
 
 }  // namespace oblast

@@ -10,8 +10,8 @@ namespace oblast {
 namespace {
 
 /// Writes the vertices of a chain, all but the last, to points and flags from `vertex` on.
-void write_chain(const ChainGraph& graph, const std::vector<std::uint8_t>& node_flags, Descriptor d,
-                 std::uint32_t vertex, Rings& rings) {
+void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags, Descriptor d, std::uint32_t vertex,
+                 Rings& rings) {
   const Chain& chain = graph.chains[chain_of(d)];
   const auto first = graph.strands.points.begin() + chain.first, last = graph.strands.points.begin() + chain.last;
   const auto to = rings.points.begin() + vertex;
@@ -25,8 +25,8 @@ void write_chain(const ChainGraph& graph, const std::vector<std::uint8_t>& node_
 }  // namespace
 
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
-  const std::vector<std::uint8_t> node_flags = classify_nodes(graph, selection);
-  const std::vector<Descriptor>& descriptors = linked.descriptors;
+  const Array<std::uint8_t> node_flags = classify_nodes(graph, selection);
+  const Array<Descriptor>& descriptors = linked.descriptors;
   constexpr std::size_t chains_a_task = 16384;
   LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());

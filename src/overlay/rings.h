@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "memory/large_pages.h"
 #include "overlay/link.h"
@@ -18,15 +17,15 @@ enum RingVertex : std::uint8_t {
 
 struct Rings {
   LargeArray<Point> points;
-  std::vector<std::uint8_t> flags;  ///< by vertex, RingVertex
-  std::vector<std::uint32_t> ends;  ///< by ring: past its last vertex; the first is not repeated
+  Array<std::uint8_t> flags;  ///< by vertex, RingVertex
+  Array<std::uint32_t> ends;  ///< by ring: past its last vertex; the first is not repeated
 
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
 };
 
 /// By node: RingVertex bits of the vertex there. Cost: linear in the chains.
-std::vector<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);
+Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);
 
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);

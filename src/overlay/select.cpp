@@ -5,8 +5,7 @@
 
 namespace oblast {
 
-Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
-                 const Options& options) {
+Selection select(const ChainGraph& graph, const Array<Winding>& right, Operation operation, const Options& options) {
   const auto in_result = [&](Winding w) {
     return admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b));
   };

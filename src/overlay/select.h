@@ -3,14 +3,13 @@
 
 #include <oblast/options.h>
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast {
 
 /// A chain of the result as the descriptor that has the result on its left, or `none`.
-using Selection = std::vector<Descriptor>;
+using Selection = Array<Descriptor>;
 
 /// Inside or outside of one operand, from its winding number.
 constexpr bool is_inside(const FillRule& rule, std::int32_t winding) {
@@ -47,7 +46,6 @@ constexpr bool admits(Operation operation, bool in_a, bool in_b) {
 }
 
 /// A chain belongs to the result when just one of its sides does. By chain; none for chains not live.
-Selection select(const ChainGraph& graph, const std::vector<Winding>& right, Operation operation,
-                 const Options& options);
+Selection select(const ChainGraph& graph, const Array<Winding>& right, Operation operation, const Options& options);
 
 }  // namespace oblast

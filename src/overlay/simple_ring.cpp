@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
@@ -64,7 +65,7 @@ bool is_tangled(std::span<const Point> closed_ring, noding::RingTree& tree) {
 RingShape ring_shape(std::span<const Point> ring) {
   int turn = convex_turn(ring);
   if (turn == 0) {
-    std::vector<Point> closed;
+    Array<Point> closed;
     closed.reserve(ring.size() + 1);
     closed.assign(ring.begin(), ring.end());
     closed.push_back(ring[0]);

@@ -1,7 +1,6 @@
 #include "overlay/smallest_vertex.h"
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -23,7 +22,7 @@ SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t 
 SmallestVertex smallest_vertex(std::span<const Point> ring) {
   constexpr std::size_t vertices_a_range = 1 << 16;
   if (ring.size() <= vertices_a_range) return smallest_vertex_between(ring, 0, ring.size());
-  std::vector<SmallestVertex> found(range_count(ring.size(), vertices_a_range));
+  Array<SmallestVertex> found(range_count(ring.size(), vertices_a_range));
   for_numbered_ranges(ring.size(), vertices_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
     found[i] = smallest_vertex_between(ring, begin, end);
   });

@@ -6,13 +6,15 @@
 
 #include <cstddef>
 
+#include "memory/call_memory.h"
+
 namespace oblast {
 
 /// Calls body(begin, end) for ranges of [0, count), side by side where there are more than `grain` indices. A small
-/// call stays clear of the scheduler, whose start costs as much as overlaying a few dozen edges.
+/// call (call_memory.h) stays clear of the scheduler, whose start costs as much as overlaying a few dozen edges.
 template <class Body>
 void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
-  if (count <= grain) {
+  if (count <= grain || CallMemory::current() != nullptr) {
     if (count > 0) body(std::size_t{0}, count);
     return;
   }

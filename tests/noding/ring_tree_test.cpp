@@ -68,8 +68,8 @@ bool inside(const Point& p, const Rings& rings, std::size_t ring) {
   return odd;
 }
 
-std::vector<bool> depths_by_every_edge(const Rings& rings) {
-  std::vector<bool> odd(rings.ends.size());
+Array<bool> depths_by_every_edge(const Rings& rings) {
+  Array<bool> odd(rings.ends.size());
   for (std::size_t r = 0; r < odd.size(); ++r)
     for (std::size_t s = 0; s < odd.size(); ++s)
       if (s != r && inside(rings.points[rings.begin(r)], rings, s)) odd[r] = !odd[r];
@@ -134,7 +134,7 @@ TEST(RingTree, knowsHowDeepRingsLie) {
     RingTree tree;
     tree.build(rings.points, rings.ends);
     ASSERT_EQ(tree.edges_meet(), false);
-    const std::optional<std::vector<bool>> odd = tree.odd_depths();
+    const std::optional<Array<bool>> odd = tree.odd_depths();
     ASSERT_TRUE(odd.has_value());
     ASSERT_EQ(*odd, depths_by_every_edge(rings)) << trial;
     deep += static_cast<int>(std::count(odd->begin(), odd->end(), true));
@@ -152,7 +152,7 @@ TEST(RingTree, countsRingsThatStandLevelWithEachOther) {
   RingTree tree;
   tree.build(rings.points, rings.ends);
   EXPECT_EQ(tree.edges_meet(), false);
-  std::vector<bool> expected(paths.size(), true);
+  Array<bool> expected(paths.size(), true);
   expected[0] = false;
   EXPECT_EQ(tree.odd_depths(), expected);
 }

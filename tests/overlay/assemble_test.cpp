@@ -76,7 +76,7 @@ TEST(Join, isAssemblingTogether) {
   Random random(2);
   for (int round = 0; round < 50; ++round) {
     constexpr int parts_count = 7;
-    std::vector<RegionSet> parts(parts_count);
+    Array<RegionSet> parts(parts_count);
     RegionSet all;
     for (int i = 0; i < 60; ++i) {
       RegionSet polygon = regions_of("0 0, 4 0, 4 4, 0 4; 1 1, 1 2, 2 2; 2 2, 2 3, 3 3");

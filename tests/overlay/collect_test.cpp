@@ -43,7 +43,7 @@ TEST(Collect, cleansContours) {
   set.points[0] = {-0.0, 0};
   const Strands strands = collected(set).strands;
   ASSERT_EQ(strands.size(), 1u);
-  EXPECT_EQ(strands.points, (std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));  // closed, nothing repeated
+  EXPECT_EQ(strands.points, (Array<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));  // closed, nothing repeated
   for (const Point& p : strands.points) EXPECT_FALSE(std::signbit(p.x) || std::signbit(p.y));
 }
 
@@ -81,10 +81,10 @@ TEST(Collect, operandsHaveTheirOwnWindingNumbersAndGroups) {
 
 TEST(Collect, theRingOfAnOnlyPolygonIsKnownToBeSimpleWhereItIsConvex) {
   using noding::Simplicity;
-  EXPECT_EQ(collected(regions_of("0 0, 4 0, 4 4, 0 4")).strands.simplicity, std::vector{Simplicity::known});
-  EXPECT_EQ(collected(regions_of("5 0, 9 0, 6 1, 5 4")).strands.simplicity, std::vector{Simplicity::assumed});
+  EXPECT_EQ(collected(regions_of("0 0, 4 0, 4 4, 0 4")).strands.simplicity, Array<Simplicity>{Simplicity::known});
+  EXPECT_EQ(collected(regions_of("5 0, 9 0, 6 1, 5 4")).strands.simplicity, Array<Simplicity>{Simplicity::assumed});
   // A bow-tie; node_strands() finds out.
-  EXPECT_EQ(collected(regions_of("0 9, 2 7, 2 9, 0 7")).strands.simplicity, std::vector{Simplicity::assumed});
+  EXPECT_EQ(collected(regions_of("0 9, 2 7, 2 9, 0 7")).strands.simplicity, Array<Simplicity>{Simplicity::assumed});
 }
 
 TEST(Collect, ringsOfALayerAreLookedAt) {

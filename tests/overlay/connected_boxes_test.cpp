@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "generators/random.h"
 #include "overlay/disjoint_sets.h"

@@ -22,7 +22,7 @@ struct Boxes {
 
 void expect_right(const Boxes& b) {
   const std::size_t n = b.boxes.size();
-  std::vector<std::uint8_t> encloses(n, 0), enclosed(n, 0);
+  Array<std::uint8_t> encloses(n, 0), enclosed(n, 0);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       if (i != j && b.boxes[i].meets(Box::of(b.points[j], b.points[j]))) encloses[i] = enclosed[j] = 1;
@@ -63,8 +63,8 @@ TEST(EnclosingBoxes, thatCoverEachOtherAllCount) {
   Boxes nested;
   for (int i = 0; i < 1000; ++i) nested.add(-i, -i, 2 * i + 1, 2 * i + 1);
   const Enclosure found = find_enclosing(nested.boxes, nested.points);
-  EXPECT_EQ(found.encloses, std::vector<std::uint8_t>(1000, 1));
-  EXPECT_EQ(found.enclosed, std::vector<std::uint8_t>(1000, 1));
+  EXPECT_EQ(found.encloses, Array<std::uint8_t>(1000, 1));
+  EXPECT_EQ(found.enclosed, Array<std::uint8_t>(1000, 1));
 }
 
 }  // namespace

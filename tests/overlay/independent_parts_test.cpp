@@ -73,7 +73,7 @@ IndependentParts parts_checked(const Strands& strands, PartNeeds needs = {}) {
       if (batch[i] != batch[j] && boxes[i].meets(boxes[j])) ADD_FAILURE() << j << " and " << i << " were parted";
 
   const std::vector<std::uint32_t> smallest = smallest_parts(boxes);
-  std::vector<noding::Winding> holds(strands.size());
+  Array<noding::Winding> holds(strands.size());
   for (std::size_t s = 0; s < strands.size(); ++s) {
     holds[smallest[s]].a |= strands.change[s].a != 0;
     holds[smallest[s]].b |= strands.change[s].b != 0;

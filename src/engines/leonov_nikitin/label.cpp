@@ -38,7 +38,7 @@ struct Extent {
   std::uint32_t smallest;
 };
 
-Extent extent_of(const std::vector<Point>& points, const Chain& chain) {
+Extent extent_of(const Array<Point>& points, const Chain& chain) {
   Extent e{Box::of(points[chain.first], points[chain.first]), chain.first};
   for (std::uint32_t v = chain.first + 1; v <= chain.last; ++v) {
     const Point& p = points[v];
@@ -52,7 +52,7 @@ class Labelling {
  public:
   explicit Labelling(const ChainGraph& graph) : graph_(graph) {}
 
-  std::vector<Winding> run() {
+  Array<Winding> run() {
     RelativeLabels labels = label_relatively(graph_);
     right_ = std::move(labels.right);
     find_components(labels);
@@ -74,16 +74,16 @@ class Labelling {
     boxes_.resize(labels.component_count);
     resize_in_large_pages(component_of_, graph_.chains.size(), none);
     const std::size_t chains_a_range = grain(graph_.chains.size(), graph_.strands.points.size());
-    std::vector<std::vector<Part>> parts(range_count(graph_.chains.size(), chains_a_range));
+    Array<Array<Part>> parts(range_count(graph_.chains.size(), chains_a_range));
     for_numbered_ranges(graph_.chains.size(), chains_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
       parts[i] = parts_of(begin, end, labels);
     });
-    for (const std::vector<Part>& range : parts)
+    for (const Array<Part>& range : parts)
       for (const Part& part : range) add(part);
   }
 
-  std::vector<Part> parts_of(std::size_t begin, std::size_t end, const RelativeLabels& labels) {
-    std::vector<Part> parts;
+  Array<Part> parts_of(std::size_t begin, std::size_t end, const RelativeLabels& labels) {
+    Array<Part> parts;
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       if (!graph_.is_live(c)) continue;
       const Chain& chain = graph_.chains[c];
@@ -148,8 +148,8 @@ class Labelling {
   /// Step 3.
   void settle_components() {
     const auto count = static_cast<std::uint32_t>(components_.size());
-    std::vector<BelowQuery> outside;
-    std::vector<Point> smallest;
+    Array<BelowQuery> outside;
+    Array<Point> smallest;
     outside.reserve(count);
     smallest.reserve(count);
     for (Component& c : components_) {
@@ -162,22 +162,22 @@ class Labelling {
     }
     const Enclosure enclosure = find_enclosing(boxes_, smallest);
 
-    std::vector<std::uint32_t> asking;
+    Array<std::uint32_t> asking;
     for (std::uint32_t i = 0; i < count; ++i)
       if (enclosure.enclosed[i]) asking.push_back(i);
     std::sort(asking.begin(), asking.end(),
               [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(smallest[i], smallest[j]); });
-    std::vector<BelowQuery> queries;
+    Array<BelowQuery> queries;
     queries.reserve(asking.size());
     for (const std::uint32_t i : asking) queries.push_back(outside[i]);
-    std::vector<std::uint32_t> chains;
+    Array<std::uint32_t> chains;
     if (!asking.empty()) {
       for (std::uint32_t c = 0; c < component_of_.size(); ++c)
         if (component_of_[c] != none && enclosure.encloses[component_of_[c]] != 0) chains.push_back(c);
     }
-    const std::vector<Below> below = locate_below(graph_, chains, queries);
+    const Array<Below> below = locate_below(graph_, chains, queries);
 
-    std::vector<Winding> base(count);
+    Array<Winding> base(count);
     for (std::uint32_t i = 0; i < count; ++i) base[i] = -components_[i].outside;
     for (std::size_t k = 0; k < asking.size(); ++k) {
       const Below& b = below[k];
@@ -199,14 +199,14 @@ class Labelling {
   }
 
   const ChainGraph& graph_;
-  std::vector<Winding> right_;
-  std::vector<std::uint32_t> component_of_;  ///< by chain; none where it is not live
-  std::vector<Component> components_;
-  std::vector<Box> boxes_;  ///< by component
+  Array<Winding> right_;
+  Array<std::uint32_t> component_of_;  ///< by chain; none where it is not live
+  Array<Component> components_;
+  Array<Box> boxes_;  ///< by component
 };
 
 }  // namespace
 
-std::vector<Winding> label(const ChainGraph& graph) { return Labelling(graph).run(); }
+Array<Winding> label(const ChainGraph& graph) { return Labelling(graph).run(); }
 
 }  // namespace oblast::leonov_nikitin

@@ -23,14 +23,13 @@
 // Cost measured: docs/growth.md, beside the other engines.
 #pragma once
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::leonov_nikitin {
 
 /// By chain: the winding numbers of A and B on its right side; the left side is that plus its change.
 /// Meaningful for live chains only. Cost: O(k + z log z), z connected components.
-std::vector<Winding> label(const ChainGraph& graph);
+Array<Winding> label(const ChainGraph& graph);
 
 }  // namespace oblast::leonov_nikitin

@@ -46,7 +46,7 @@ class RangeLabelling {
   }
 
   std::uint32_t pieces = 0;
-  std::vector<Border> borders;  ///< with pieces counted from this range's first
+  Array<Border> borders;  ///< with pieces counted from this range's first
 
  private:
   bool is_here(std::uint32_t node) const { return begin_ <= node && node < end_; }
@@ -85,7 +85,7 @@ class RangeLabelling {
   const ChainGraph& graph_;
   std::uint32_t begin_, end_;
   RelativeLabels& labels_;
-  std::vector<Descriptor> pending_;
+  Array<Descriptor> pending_;
 };
 
 /// Disjoint sets of pieces that know what is to be added to the labels of a piece for those of its root.
@@ -124,13 +124,13 @@ class PieceSets {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<Winding> offset_;
+  Array<std::uint32_t> parent_;
+  Array<Winding> offset_;
 };
 
 /// Makes components of pieces. `first_piece`: by range.
-void join_pieces(const ChainGraph& graph, const std::vector<std::vector<Border>>& borders,
-                 const std::vector<std::uint32_t>& first_piece, std::uint32_t piece_count, RelativeLabels& labels) {
+void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, const Array<std::uint32_t>& first_piece,
+                 std::uint32_t piece_count, RelativeLabels& labels) {
   const auto piece_of = [&](std::uint32_t node) { return labels.component[node] + first_piece[node / range_size]; };
   PieceSets sets(piece_count);
   for (std::size_t range = 0; range < borders.size(); ++range)
@@ -141,7 +141,7 @@ void join_pieces(const ChainGraph& graph, const std::vector<std::vector<Border>>
     std::uint32_t component;
     Winding offset;
   };
-  std::vector<Place> places(piece_count);
+  Array<Place> places(piece_count);
   for (std::uint32_t piece = 0; piece < piece_count; ++piece) {
     const auto [root, offset] = sets.find(piece);
     // The root is the smallest of its set, so it has its place before the others.
@@ -176,8 +176,8 @@ RelativeLabels label_relatively(const ChainGraph& graph) {
     return labels;
   }
   const std::size_t ranges = range_count(node_count, range_size);
-  std::vector<std::vector<Border>> borders(ranges);
-  std::vector<std::uint32_t> pieces(ranges), first_piece(ranges);
+  Array<Array<Border>> borders(ranges);
+  Array<std::uint32_t> pieces(ranges), first_piece(ranges);
   for_numbered_ranges(node_count, range_size, [&](std::size_t r, std::size_t begin, std::size_t end) {
     RangeLabelling range(graph, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), labels);
     range.run();

@@ -10,15 +10,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::leonov_nikitin {
 
 struct RelativeLabels {
-  std::vector<Winding> right;            ///< by chain that is no loop: winding numbers on its right side
-  std::vector<std::uint32_t> component;  ///< by node: what it is connected to; none where no chain ends
+  Array<Winding> right;            ///< by chain that is no loop: winding numbers on its right side
+  Array<std::uint32_t> component;  ///< by node: what it is connected to; none where no chain ends
   std::uint32_t component_count = 0;
 };
 

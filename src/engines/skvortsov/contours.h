@@ -25,7 +25,7 @@ using Kept = std::vector<bool>;
 
 struct Contours {
   std::vector<std::uint32_t> vertices;  ///< by the mesh; contours one after the other
-  std::vector<std::uint32_t> ends;      ///< by contour
+  Array<std::uint32_t> ends;            ///< by contour
   Nesting nesting;
 };
 

@@ -27,7 +27,7 @@ Selection selection_of(const ChainGraph& graph, const MarkedMesh& marked, const 
   return selection;
 }
 
-Rings rings_of(const MarkedMesh& marked, const Contours& contours, const std::vector<std::uint8_t>& node_flags) {
+Rings rings_of(const MarkedMesh& marked, const Contours& contours, std::span<const std::uint8_t> node_flags) {
   Rings rings;
   rings.ends = contours.ends;
   rings.points.reserve(contours.vertices.size());

@@ -34,7 +34,7 @@ struct ActiveEdge {
 class ActiveEdges {
  public:
   /// Vertices of bounds are read from `points` as the scan line moves on.
-  explicit ActiveEdges(const std::vector<Point>& points) : points_(points) {
+  explicit ActiveEdges(std::span<const Point> points) : points_(points) {
     nodes_.push_back({});
     nodes_[ground].priority = 0xffffffff;
   }
@@ -65,7 +65,7 @@ class ActiveEdges {
   void rotate_up(Slot slot);
   void replace_child(Slot parent, Slot child, Slot by);
 
-  const std::vector<Point>& points_;
+  std::span<const Point> points_;
   std::vector<Node> nodes_;
   Slot free_ = none;  ///< head of the slots to use again, linked by `next`
   std::uint32_t random_ = 0x9e3779b9;
