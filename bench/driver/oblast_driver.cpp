@@ -20,6 +20,8 @@ struct Ours {
     options_.fill_a.kind = settings.fill;
     options_.fill_b.kind = settings.fill;
     options_.threads = settings.threads;
+    static thread_local Workspace workspace;
+    options_.workspace = &workspace;
   }
 
   Prepared prepare(const RegionView& a, const RegionView& b) { return {a, b}; }

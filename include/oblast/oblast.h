@@ -8,3 +8,4 @@
 #include <oblast/point.h>
 #include <oblast/region_set.h>
 #include <oblast/triangulate.h>
+#include <oblast/workspace.h>

@@ -6,6 +6,8 @@
 
 namespace oblast {
 
+class Workspace;
+
 enum class Operation { intersection, unite, difference, symmetric_difference };
 
 /// Turns winding numbers into inside or outside.
@@ -88,6 +90,9 @@ struct Options {
   /// Where statistics or progress are asked for, or any option above is not the default, every call goes through the
   /// stages they tell of; otherwise `overlay` may take a fast path with the same bytes (docs/methods.md).
   Statistics* statistics = nullptr;
+  /// Memory that calls leave for the next ones (workspace.h), for those who make many; null: they leave none. Asked for
+  /// by itself it keeps nobody from the fast path.
+  Workspace* workspace = nullptr;
 };
 
 }  // namespace oblast

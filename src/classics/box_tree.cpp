@@ -28,7 +28,7 @@ std::uint32_t cell(double low, double high, double at) {
 
 }  // namespace
 
-BoxTree::BoxTree(Array<Run> runs) : runs_(std::move(runs)) {
+BoxTree::BoxTree(LargeArray<Run> runs) : runs_(std::move(runs)) {
   if (runs_.empty()) return;
   Box all = runs_[0].box;
   for (const Run& run : runs_) all = joined(all, run.box);
@@ -39,7 +39,7 @@ BoxTree::BoxTree(Array<Run> runs) : runs_(std::move(runs)) {
         spread(cell(all.x0, all.x1, b.x0 / 2 + b.x1 / 2)) | spread(cell(all.y0, all.y1, b.y0 / 2 + b.y1 / 2)) << 1, i};
   }
   std::sort(order.begin(), order.end());
-  Array<Run> sorted;
+  LargeArray<Run> sorted;
   sorted.reserve(runs_.size());
   for (const auto& [code, i] : order) sorted.push_back(runs_[i]);
   runs_ = std::move(sorted);

@@ -11,7 +11,7 @@ namespace oblast::classics {
 /// Runs sorted along a space-filling curve by their centres, four to a node, level upon level.
 class BoxTree {
  public:
-  explicit BoxTree(Array<noding::Run> runs);
+  explicit BoxTree(LargeArray<noding::Run> runs);
 
   /// Calls visit(run) for every run whose box meets `box`; stops and returns false when visit does.
   template <class Visit>
@@ -33,7 +33,7 @@ class BoxTree {
     return true;
   }
 
-  Array<noding::Run> runs_;
+  LargeArray<noding::Run> runs_;
   std::vector<std::vector<noding::Box>> levels_;
 };
 

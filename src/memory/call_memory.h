@@ -14,6 +14,8 @@
 #include <new>
 #include <vector>
 
+#include "memory/kept_blocks.h"
+
 namespace oblast {
 
 // The address sanitizer sees what is wrong within the system's blocks only.
@@ -86,20 +88,24 @@ class CallMemory {
   alignas(64) std::array<std::byte, capacity> memory_;  // not written before it is used
 };
 
-/// While it lives, this thread is in no small call.
+/// While it lives, this thread is in no small call, and has the blocks of a workspace; null: of none.
 class LargeCall {
  public:
-  LargeCall() : outer_(CallMemory::current_) { CallMemory::current_ = nullptr; }
+  explicit LargeCall(KeptBlocks* blocks = nullptr) : outer_(CallMemory::current_), outer_blocks_(KeptBlocks::current_) {
+    CallMemory::current_ = nullptr;
+    KeptBlocks::current_ = blocks;
+  }
   LargeCall(const LargeCall&) = delete;
   LargeCall& operator=(const LargeCall&) = delete;
-  ~LargeCall() { CallMemory::current_ = outer_; }
+  ~LargeCall() {
+    CallMemory::current_ = outer_;
+    KeptBlocks::current_ = outer_blocks_;
+  }
 
  private:
   CallMemory* outer_;
+  KeptBlocks* outer_blocks_;
 };
-
-/// Not inline: compilers would warn that blocks of a CallMemory on the stack are freed here, which cannot happen.
-void free_in_system(void* block, std::size_t bytes);
 
 template <class T>
 class CallAllocator {
@@ -112,14 +118,15 @@ class CallAllocator {
   explicit(false) CallAllocator(const CallAllocator<U>&) {}
 
   T* allocate(std::size_t count) {
+    if (count > std::size_t(-1) / 2 / sizeof(T)) throw std::bad_array_new_length();
     if (CallMemory* const memory = CallMemory::current())
       if (void* const block = memory->take(count * sizeof(T))) return static_cast<T*>(block);
-    return std::allocator<T>().allocate(count);
+    return static_cast<T*>(take_block(count * sizeof(T)));
   }
   void deallocate(T* block, std::size_t count) {
     if (CallMemory* const memory = CallMemory::current())
       if (memory->give_back(block, count * sizeof(T))) return;
-    free_in_system(block, count * sizeof(T));
+    give_block_back(block, count * sizeof(T));
   }
 
   friend bool operator==(const CallAllocator&, const CallAllocator&) { return true; }

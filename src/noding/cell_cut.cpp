@@ -176,8 +176,8 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
   return sides;
 }
 
-std::size_t divide_runs(std::span<const Point> points, Array<Entry>& entries, std::size_t begin, const CellCut& cut,
-                        Array<Entry>& right) {
+std::size_t divide_runs(std::span<const Point> points, LargeArray<Entry>& entries, std::size_t begin,
+                        const CellCut& cut, LargeArray<Entry>& right) {
   // Where a run lies is hard to foresee, so a block of them is sorted out first, without branches.
   constexpr std::size_t block = 64;
   std::array<std::uint8_t, block> on_left, on_right_only;

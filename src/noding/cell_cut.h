@@ -48,8 +48,8 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
 
 /// The same for entries[begin..]: what of them is left of the cut stays in their place, up to the returned index; what
 /// is right of it is appended to `right`.
-std::size_t divide_runs(std::span<const Point> points, Array<Entry>& entries, std::size_t begin, const CellCut& cut,
-                        Array<Entry>& right);
+std::size_t divide_runs(std::span<const Point> points, LargeArray<Entry>& entries, std::size_t begin,
+                        const CellCut& cut, LargeArray<Entry>& right);
 
 /// For an entry of one edge: what lies on either side, or within the margin of it, clipped. Rounded outwards: nothing
 /// is lost.

@@ -507,7 +507,7 @@ class Arrangement {
 
 }  // namespace
 
-LargeArray<EdgeCut> find_meetings(Strands& strands, Array<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, LargeArray<Run> runs, Settling settling,
                                   const std::function<void()>& checkpoint, Clearance* clearance,
                                   Array<std::uint32_t>* tangled) {
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;

@@ -50,7 +50,7 @@ struct Settling {
 /// clear (REQUIRES: all runs of any_group, a first round), else all that are cut.
 /// With `tangled`, strands assumed to be simple that are not are put there, sorted; there are no cuts then.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
-LargeArray<EdgeCut> find_meetings(Strands& strands, Array<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, LargeArray<Run> runs, Settling settling,
                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
                                   Array<std::uint32_t>* tangled = nullptr);
 

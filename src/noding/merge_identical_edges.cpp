@@ -70,7 +70,7 @@ class EdgeTable {
   std::uint64_t mask_;
 };
 
-/// Visits the edges a few at a time: prepare(edge) for each of them, then visit(edge).
+/// Visits the edges a few at a time: prepare(edge) for each of them, then visit(edge, its strand).
 template <class Prepare, class Visit>
 void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visit) {
   for (std::size_t s = 0; s < strands.size(); ++s) {
@@ -78,18 +78,18 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
     for (std::uint32_t first = strands.begin(s); first < last; first += ahead) {
       const std::uint32_t past = std::min(first + ahead, last);
       for (std::uint32_t e = first; e < past; ++e) prepare(e);
-      for (std::uint32_t e = first; e < past; ++e) visit(e);
+      for (std::uint32_t e = first; e < past; ++e) visit(e, s);
     }
   }
 }
 
 /// By edge. What is between two strands gets a value too.
-Array<std::uint32_t> hash_edges(const Array<Point>& points) {
-  Array<std::uint32_t> hashes;
-  resize_in_large_pages(hashes, points.size(), none);
-  constexpr std::size_t edges_a_task = 1 << 15;
+LargeArray<std::uint32_t> hash_edges(const Array<Point>& points) {
+  LargeArray<std::uint32_t> hashes;
   if (points.empty()) return hashes;
-  for_ranges(points.size() - 1, edges_a_task, [&](std::size_t begin, std::size_t end) {
+  resize_in_large_pages(hashes, points.size() - 1);
+  constexpr std::size_t edges_a_task = 1 << 15;
+  for_ranges(hashes.size(), edges_a_task, [&](std::size_t begin, std::size_t end) {
     std::uint64_t from = hash(points[begin]);
     for (std::size_t e = begin; e < end; ++e) {
       const std::uint64_t to = hash(points[e + 1]);
@@ -101,7 +101,7 @@ Array<std::uint32_t> hash_edges(const Array<Point>& points) {
 }
 
 /// The hashes that another edge had already, with some that only seem to. Each core looks after its share of the table.
-Array<std::uint32_t> repeated_hashes(const Strands& strands, const Array<std::uint32_t>& hashes) {
+Array<std::uint32_t> repeated_hashes(const Strands& strands, const LargeArray<std::uint32_t>& hashes) {
   constexpr std::size_t bits_an_edge = 16, edges_a_core = 1 << 16;
   const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::size_t shares = std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(cores, 8));
@@ -115,7 +115,7 @@ Array<std::uint32_t> repeated_hashes(const Strands& strands, const Array<std::ui
           [&](std::uint32_t e) {
             if (is_mine(e)) seen.prefetch(hashes[e]);
           },
-          [&](std::uint32_t e) {
+          [&](std::uint32_t e, std::size_t) {
             if (is_mine(e) && seen.add(hashes[e])) repeated[share].push_back(hashes[e]);
           });
     }
@@ -147,36 +147,83 @@ double repeated_part(const Strands& strands) {
   return chosen.empty() ? 0 : 1 - static_cast<double>(different) / static_cast<double>(chosen.size());
 }
 
-/// Gives classes to edges of which is_candidate(hash) holds, and `none` to all others. There are up to `candidates`.
-/// REQUIRES: class_of holds hashes.
+/// Finds to every edge the first one with the same ends, among those of which is_candidate(hash) holds.
 template <class IsCandidate>
-void classify(const Strands& strands, std::size_t candidates, const IsCandidate& is_candidate,
-              IdenticalEdges& identical) {
-  Array<std::uint32_t>& class_of = identical.class_of;
-  EdgeTable table(strands.points, candidates);
-  for_edges(
-      strands,
-      [&](std::uint32_t e) {
-        if (is_candidate(class_of[e])) table.prefetch(class_of[e]);
-      },
-      [&](std::uint32_t e) {
-        const std::uint32_t hash = std::exchange(class_of[e], none);
-        if (!is_candidate(hash)) return;
-        const std::uint32_t first = table.find_or_insert(e, hash);
-        if (first == e) return;
-        if (class_of[first] == none) {
-          class_of[first] = static_cast<std::uint32_t>(identical.first.size());
-          identical.first.push_back(first);
-        }
-        class_of[e] = class_of[first];
-      });
-}
+class FirstFinder {
+ public:
+  /// REQUIRES: first_of holds hashes; at most `candidates` edges are candidates.
+  FirstFinder(const Strands& strands, std::size_t candidates, const IsCandidate& is_candidate,
+              LargeArray<std::uint32_t> hashes)
+      : strands_(strands), is_candidate_(is_candidate), table_(strands.points, candidates) {
+    identical_.first_of = std::move(hashes);
+    resize_in_large_pages(identical_.sum, identical_.first_of.size());
+  }
 
-/// Classes where few edges are repeated: most are told by a look at a few bits.
-void classify_few(const Strands& strands, IdenticalEdges& identical) {
-  const Array<std::uint32_t>& hashes = identical.class_of;
+  IdenticalEdges run() {
+    auto& first_of = identical_.first_of;
+    for (std::size_t s = 0; s + 1 < strands_.size(); ++s) first_of[strands_.ends[s] - 1] = no_edge;
+    for_edges(
+        strands_,
+        [&](std::uint32_t e) {
+          if (is_candidate_(first_of[e])) table_.prefetch(first_of[e]);
+        },
+        [&](std::uint32_t e, std::size_t s) {
+          const std::uint32_t hash = std::exchange(first_of[e], none);
+          if (is_candidate_(hash)) add(e, s, hash);
+        });
+    if (!any_) return {};
+    for (std::size_t s = 0; s + 1 < strands_.size(); ++s) first_of[strands_.ends[s] - 1] = none;
+    return std::move(identical_);
+  }
+
+ private:
+  void add(std::uint32_t e, std::size_t s, std::uint32_t hash) {
+    const auto& points = strands_.points;
+    std::uint32_t first = following(e, points[e], points[e + 1]);
+    if (first == none) {
+      first = table_.find_or_insert(e, hash);
+      if (first == e) {
+        identical_.sum[e] = strands_.change[s];
+        return;
+      }
+      beside_ = first;
+      step_ = points[first] == points[e] ? 1 : -1U;
+    }
+    const bool forth = points[first] == points[e];
+    identical_.sum[first] =
+        forth ? identical_.sum[first] + strands_.change[s] : identical_.sum[first] - strands_.change[s];
+    identical_.first_of[first] = identical_.first_of[e] = first;
+    any_ = true;
+  }
+
+  /// Borders are long: after an edge that was there before, what follows is beside it, forth or back. The first edge
+  /// with these ends if one of them is there.
+  std::uint32_t following(std::uint32_t e, const Point& a, const Point& b) {
+    if (beside_ == none) return none;
+    const std::uint32_t next = beside_ + step_;
+    const auto& points = strands_.points;
+    const bool forth = step_ == 1;
+    const bool same = next < e && points[next + !forth] == a && points[next + forth] == b;
+    const std::uint32_t first = same ? identical_.first_of[next] : no_edge;
+    beside_ = first == no_edge ? none : next;
+    return first == none ? next : first == no_edge ? none : first;
+  }
+
+  static constexpr std::uint32_t no_edge = none - 1;  // what is between two strands
+
+  const Strands& strands_;
+  const IsCandidate& is_candidate_;
+  EdgeTable table_;
+  IdenticalEdges identical_;
+  bool any_ = false;
+  std::uint32_t beside_ = none;  ///< identical to the edge looked at last
+  std::uint32_t step_ = 1;       ///< to what is beside the next one
+};
+
+/// Where few edges are repeated, most are told by a look at a few bits.
+IdenticalEdges find_few(const Strands& strands, LargeArray<std::uint32_t> hashes) {
   const Array<std::uint32_t> repeated = repeated_hashes(strands, hashes);
-  if (repeated.empty()) return;
+  if (repeated.empty()) return {};
 
   // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
   constexpr std::size_t bits_a_hash = 64;
@@ -184,71 +231,105 @@ void classify_few(const Strands& strands, IdenticalEdges& identical) {
   const auto other_bits = [](std::uint32_t hash) { return std::rotl(hash, 16); };
   for (const std::uint32_t hash : repeated) shared.add(other_bits(hash));
   const auto is_candidate = [&](std::uint32_t hash) { return shared.has(other_bits(hash)); };
-  std::size_t candidates = 0;
-  for_edges(
-      strands, [](std::uint32_t) {}, [&](std::uint32_t e) { candidates += is_candidate(hashes[e]); });
-  classify(strands, candidates, is_candidate, identical);
+  const auto candidates = static_cast<std::size_t>(std::count_if(hashes.begin(), hashes.end(), is_candidate));
+  return FirstFinder(strands, candidates, is_candidate, std::move(hashes)).run();
 }
+
+/// What is left of a range of strands: stretches without repeated edges, and the first of every identical ones.
+class Remainder {
+ public:
+  Remainder(const Strands& strands, const IdenticalEdges& identical) : strands_(strands), identical_(identical) {}
+
+  struct Size {
+    std::uint32_t points = 0, strands = 0;
+  };
+
+  Size size(std::size_t first_strand, std::size_t past_strand) const {
+    Size size;
+    walk(first_strand, past_strand, [&](std::uint32_t first, std::uint32_t past, Winding, Group, Simplicity) {
+      size.points += past - first;
+      ++size.strands;
+    });
+    return size;
+  }
+
+  /// Writes it from `at` on. REQUIRES: there is room.
+  void write(std::size_t first_strand, std::size_t past_strand, Size at, Strands& result) const {
+    walk(first_strand, past_strand,
+         [&](std::uint32_t first, std::uint32_t past, Winding change, Group group, Simplicity simplicity) {
+           std::copy(strands_.points.begin() + first, strands_.points.begin() + past,
+                     result.points.begin() + at.points);
+           at.points += past - first;
+           result.ends[at.strands] = at.points;
+           result.change[at.strands] = change;
+           result.group[at.strands] = group;
+           result.simplicity[at.strands] = simplicity;
+           ++at.strands;
+         });
+  }
+
+ private:
+  /// Calls strand(first vertex, past the last one, change, group, simplicity).
+  template <class Strand>
+  void walk(std::size_t first_strand, std::size_t past_strand, const Strand& strand) const {
+    for (std::size_t s = first_strand; s < past_strand; ++s) {
+      const std::uint32_t begin = strands_.begin(s), end = strands_.ends[s];
+      std::uint32_t first = begin;
+      for (std::uint32_t e = begin; e < end; ++e) {
+        const bool last_vertex = e + 1 == end;
+        if (!last_vertex && identical_.first_of[e] == none) continue;
+        const bool whole = first == begin && last_vertex;
+        if (e > first)
+          strand(first, e + 1, strands_.change[s], strands_.group[s],
+                 whole ? strands_.simplicity[s] : Simplicity::known);
+        first = e + 1;
+        if (last_vertex || identical_.first_of[e] != e) continue;
+        const Winding sum = strands_.parity.reduce(identical_.sum[e]);
+        if (!sum.is_zero()) strand(e, e + 2, sum, any_group, Simplicity::known);
+      }
+    }
+  }
+
+  const Strands& strands_;
+  const IdenticalEdges& identical_;
+};
 
 }  // namespace
 
 IdenticalEdges identical_edges(const Strands& strands) {
   constexpr std::size_t worth_sampling = 1 << 14;
   constexpr double many = 0.2;
-  IdenticalEdges identical;
   const std::size_t edges = strands.points.size();
   const double part = edges < worth_sampling ? many / 2 : repeated_part(strands);
   if (part == 0) return {};
-  identical.class_of = hash_edges(strands.points);
-  if (part < many)
-    classify_few(strands, identical);
-  else
-    classify(
-        strands, edges, [](std::uint32_t) { return true; }, identical);
-  if (identical.empty()) return {};
-  // What is between two strands is no edge.
-  for (const std::uint32_t end : strands.ends) identical.class_of[end - 1] = none;
-  return identical;
+  LargeArray<std::uint32_t> hashes = hash_edges(strands.points);
+  if (part < many) return find_few(strands, std::move(hashes));
+  const auto all = [](std::uint32_t) { return true; };
+  return FirstFinder(strands, edges, all, std::move(hashes)).run();
 }
 
 Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) {
   if (identical.empty()) return strands;
-  const auto& points = strands.points;
-  const auto& class_of = identical.class_of;
-  Array<Winding> sums(identical.first.size());  // by class, along it from its smaller end
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    for (std::uint32_t e = strands.begin(s); e + 1 < strands.ends[s]; ++e) {
-      if (class_of[e] == none) continue;
-      Winding& sum = sums[class_of[e]];
-      sum = lexicographically_less(points[e], points[e + 1]) ? sum + strands.change[s] : sum - strands.change[s];
-    }
+  const Remainder remainder(strands, identical);
+  const std::size_t strands_a_range = grain(strands.size(), strands.points.size());
+  Array<Remainder::Size> ends(range_count(strands.size(), strands_a_range) + 1);
+  for_numbered_ranges(strands.size(), strands_a_range, [&](std::size_t i, std::size_t first, std::size_t past) {
+    ends[i + 1] = remainder.size(first, past);
+  });
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    ends[i].points += ends[i - 1].points;
+    ends[i].strands += ends[i - 1].strands;
   }
-  for (Winding& sum : sums) sum = strands.parity.reduce(sum);
-
   Strands result;
   result.parity = strands.parity;
-  result.points.reserve(points.size());
-  for (std::size_t s = 0; s < strands.size(); ++s) {
-    const std::uint32_t begin = strands.begin(s), end = strands.ends[s];
-    std::uint32_t first = begin;
-    for (std::uint32_t e = begin; e < end; ++e) {
-      const bool last_vertex = e + 1 == end;
-      if (!last_vertex && class_of[e] == none) continue;
-      const bool whole = first == begin && last_vertex;
-      if (e > first) {
-        result.points.insert(result.points.end(), points.begin() + first, points.begin() + e + 1);
-        result.close_strand(strands.change[s], strands.group[s], whole ? strands.simplicity[s] : Simplicity::known);
-      }
-      first = e + 1;
-    }
-  }
-  for (std::size_t c = 0; c < sums.size(); ++c) {
-    if (sums[c].is_zero()) continue;
-    const Point &a = points[identical.first[c]], &b = points[identical.first[c] + 1];
-    result.points.push_back(std::min(a, b, lexicographically_less));
-    result.points.push_back(std::max(a, b, lexicographically_less));
-    result.close_strand(sums[c], any_group);
-  }
+  result.points.resize(ends.back().points);
+  result.ends.resize(ends.back().strands);
+  result.change.resize(ends.back().strands);
+  result.group.resize(ends.back().strands);
+  result.simplicity.resize(ends.back().strands);
+  for_numbered_ranges(strands.size(), strands_a_range, [&](std::size_t i, std::size_t first, std::size_t past) {
+    remainder.write(first, past, ends[i], result);
+  });
   return result;
 }
 

@@ -6,24 +6,24 @@
 #include <cstdint>
 #include <utility>
 
-#include "memory/call_memory.h"
+#include "memory/large_pages.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
 
-/// Edges with the same two ends, in either direction, are of one class.
+/// Edges with the same two ends, in either direction.
 struct IdenticalEdges {
-  Array<std::uint32_t> class_of;  ///< by edge: its class; 0xffffffff where no other edge is identical
-  Array<std::uint32_t> first;     ///< by class: its first edge
+  LargeArray<std::uint32_t> first_of;  ///< by edge: the first one with its ends; 0xffffffff where it is the only one
+  LargeArray<Winding> sum;             ///< by such a first edge: of all their changes, in its direction; else anything
 
-  bool empty() const { return first.empty(); }
+  bool empty() const { return first_of.empty(); }
 };
 
 /// Where they are next to none among many, none may be found: noding merges what it meets. Which are found depends on
 /// the set of edges alone. Cost: linear, expected.
 IdenticalEdges identical_edges(const Strands& strands);
 
-/// The strands without repeated edges: of each class one edge is left, as a strand of its own in group 0, or none where
+/// The strands without repeated edges: of identical ones one is left, as a strand of its own in group 0, or none where
 /// the changes cancel. Strands break where an edge was taken out. Cost: linear.
 Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical);
 inline Strands merge_identical_edges(Strands strands) {

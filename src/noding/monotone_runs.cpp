@@ -1,5 +1,7 @@
 #include "noding/monotone_runs.h"
 
+#include <numeric>
+
 #include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
@@ -15,23 +17,22 @@ class RunFinder {
  public:
   RunFinder(const Strands& strands, Grouping grouping) : strands_(strands), grouping_(grouping) {}
 
-  /// Of the edges [begin, end). A run that goes on behind them is parted there.
-  Array<Run> find(std::size_t begin, std::size_t end) const {
-    Array<Run> runs;
-    reserve_in_large_pages(runs, (end - begin) / 2 + 16);
+  /// Calls add(run) for those of the edges [begin, end). A run that goes on behind them is parted there.
+  template <class Add>
+  void find(std::size_t begin, std::size_t end, const Add& add) const {
     auto first = static_cast<std::uint32_t>(begin);
     for (std::size_t s = strands_.strand_of(first); s < strands_.size() && strands_.begin(s) < end; ++s) {
       first = std::max(first, strands_.begin(s));
-      add_runs(s, first, std::min(strands_.ends[s] - 1, static_cast<std::uint32_t>(end)), runs);
+      find_in(s, first, std::min(strands_.ends[s] - 1, static_cast<std::uint32_t>(end)), add);
     }
-    return runs;
   }
 
  private:
   bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
 
   /// Of the edges [first, past) of a strand.
-  void add_runs(std::size_t strand, std::uint32_t first, std::uint32_t past, Array<Run>& runs) const {
+  template <class Add>
+  void find_in(std::size_t strand, std::uint32_t first, std::uint32_t past, const Add& add) const {
     const Array<Point>& points = strands_.points;
     const bool by_moved = grouping_ == Grouping::by_moved;
     const bool grouped = grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known;
@@ -46,7 +47,7 @@ class RunFinder {
         if (turns_back(headings) || (by_moved && piece_moved(last) != moved)) break;
       }
       const Group of_run = by_moved ? (moved ? any_group : settled_group) : group;
-      runs.push_back({Box::of(points[first], points[last]), first, last, of_run});
+      add(Run{Box::of(points[first], points[last]), first, last, of_run});
       first = last;
     }
   }
@@ -57,23 +58,28 @@ class RunFinder {
 
 }  // namespace
 
-Array<Run> monotone_runs(const Strands& strands, Grouping grouping) {
-  constexpr std::size_t edges_a_range = 1 << 18;  // whose runs fill large pages
+LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping) {
+  constexpr std::size_t edges_a_range = 1 << 16;
   const RunFinder finder(strands, grouping);
   const std::size_t edges = strands.points.size();
-  if (edges <= edges_a_range) return finder.find(0, edges);
-  Array<Array<Run>> found(range_count(edges, edges_a_range));
-  for_numbered_ranges(edges, edges_a_range,
-                      [&](std::size_t i, std::size_t begin, std::size_t end) { found[i] = finder.find(begin, end); });
-  Array<std::size_t> begins(found.size() + 1);
-  for (std::size_t i = 0; i < found.size(); ++i) begins[i + 1] = begins[i] + found[i].size();
-  Array<Run> runs;
+  LargeArray<Run> runs;
+  if (edges <= edges_a_range) {
+    runs.reserve(edges / 2 + 16);
+    finder.find(0, edges, [&](const Run& run) { runs.push_back(run); });
+    return runs;
+  }
+  // Counted first, so that each is put where it belongs: to look twice costs less than to have them twice.
+  Array<std::size_t> begins(range_count(edges, edges_a_range) + 1);
+  for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    finder.find(begin, end, [&](const Run&) { ++count; });
+    begins[i + 1] = count;
+  });
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
   resize_in_large_pages(runs, begins.back());
-  for_ranges(found.size(), 1, [&](std::size_t i, std::size_t past) {
-    for (; i < past; ++i) {
-      std::copy(found[i].begin(), found[i].end(), runs.begin() + static_cast<std::ptrdiff_t>(begins[i]));
-      found[i] = {};
-    }
+  for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    Run* to = runs.data() + begins[i];
+    finder.find(begin, end, [&](const Run& run) { *to++ = run; });
   });
   return runs;
 }

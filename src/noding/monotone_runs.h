@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "memory/call_memory.h"
+#include "memory/large_pages.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
@@ -53,6 +53,6 @@ enum class Grouping {
 };
 
 /// Cost: linear.
-Array<Run> monotone_runs(const Strands& strands, Grouping grouping);
+LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping);
 
 }  // namespace oblast::noding

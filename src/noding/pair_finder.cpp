@@ -76,7 +76,7 @@ class Finder {
   Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal, const Nearness& nearness)
       : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
 
-  void run(Array<Run> runs) {
+  void run(LargeArray<Run> runs) {
     if (runs.size() <= leaf_size) {
       PairBatch batch(visit_);
       if (!one_group(runs)) test_all(runs, batch);
@@ -100,7 +100,7 @@ class Finder {
 
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
-  CellCut choose_cut(Array<Entry>& entries, std::size_t begin, Cell& cell, PairBatch& batch) const {
+  CellCut choose_cut(LargeArray<Entry>& entries, std::size_t begin, Cell& cell, PairBatch& batch) const {
     const auto count = [&] { return entries.size() - begin; };
     if (!cell.clipped) {
       if (count() <= leaf_size) return {};
@@ -121,11 +121,13 @@ class Finder {
   /// Runs are divided at a cut, unless it is their boxes that count.
   std::span<const Point> run_points() const { return goal_ == PairGoal::boxes ? std::span<const Point>() : points_; }
 
-  static std::span<Entry> tail(Array<Entry>& entries, std::size_t begin) { return std::span(entries).subspan(begin); }
+  static std::span<Entry> tail(LargeArray<Entry>& entries, std::size_t begin) {
+    return std::span(entries).subspan(begin);
+  }
 
   /// Runs to single edges, each with the box of its part in the cell.
-  void clip_edges(Array<Entry>& entries, std::size_t begin, Cell& cell) const {
-    const Array<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
+  void clip_edges(LargeArray<Entry>& entries, std::size_t begin, Cell& cell) const {
+    const LargeArray<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
     entries.resize(begin);
     for (const Entry& run : runs) {
       for (std::uint32_t e = run.first; e < run.last; ++e) {
@@ -153,8 +155,8 @@ class Finder {
   }
 
   /// What of entries[begin..] is left of the cut stays in their place, up to the returned index.
-  std::size_t divide_all(Array<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
-                         Array<Entry>& right) const {
+  std::size_t divide_all(LargeArray<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
+                         LargeArray<Entry>& right) const {
     if (!cell.clipped) return divide_runs(run_points(), entries, begin, cut, right);
     std::size_t left_end = begin;
     for (std::size_t i = begin; i < entries.size(); ++i) {
@@ -167,7 +169,7 @@ class Finder {
     return left_end;
   }
 
-  void split_in_parallel(Array<Entry> entries, Cell cell, tbb::task_group& tasks) {
+  void split_in_parallel(LargeArray<Entry> entries, Cell cell, tbb::task_group& tasks) {
     if (one_group(entries)) return;
     CellCut cut;
     if (entries.size() > runs_of_one_thread) {
@@ -180,7 +182,7 @@ class Finder {
       return;
     }
     // A task is called as const, so its boxes travel behind a pointer.
-    const auto right = std::make_shared<Array<Entry>>();
+    const auto right = std::make_shared<LargeArray<Entry>>();
     reserve_in_large_pages(*right, entries.size() * 5 / 8);
     const std::size_t left_end = divide_all(entries, 0, cut, cell, *right);
     entries.resize(left_end);
@@ -192,9 +194,9 @@ class Finder {
   }
 
   /// Depth first, on one array used as a stack: the cell on top owns its tail.
-  void split(Array<Entry> entries, const Cell& root) {
+  void split(LargeArray<Entry> entries, const Cell& root) {
     PairBatch batch(visit_);
-    Array<Entry> right;
+    LargeArray<Entry> right;
     Array<Task> stack{{0, root}};
     while (!stack.empty()) {
       Task task = stack.back();
@@ -224,7 +226,8 @@ class Finder {
   /// paired with whatever they reach and are out of the way, while cuts would copy them down to the smallest cells. As
   /// in a segment tree, an edge goes through O(log n) cells when it first goes through one. False, and nothing done,
   /// where such edges are few.
-  bool match_crossers(Axis axis, Array<Entry>& entries, std::size_t begin, const Cell& cell, PairBatch& batch) const {
+  bool match_crossers(Axis axis, LargeArray<Entry>& entries, std::size_t begin, const Cell& cell,
+                      PairBatch& batch) const {
     const std::span<Entry> all = tail(entries, begin);
     const auto stays = [&](const Entry& e) {
       return low(e.box, axis) > low(cell.box, axis) || high(e.box, axis) < high(cell.box, axis) ||
@@ -313,7 +316,7 @@ class Finder {
 
 }  // namespace
 
-void find_pairs(std::span<const Point> points, Array<Run> runs, const PairVisitor& visit, PairGoal goal,
+void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit, PairGoal goal,
                 const Nearness& nearness) {
   Finder(points, visit, goal, nearness).run(std::move(runs));
 }

@@ -54,7 +54,7 @@ struct Nearness {
 /// visited where both meet a third one there, which is visited with each. Edge i is (points[i], points[i + 1]). Cost:
 /// O((n + k) log n) expected, for k pairs. Memory O(n). The runs are taken over: they are many, and rearranged as the
 /// search goes.
-void find_pairs(std::span<const Point> points, Array<Run> runs, const PairVisitor& visit,
+void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit,
                 PairGoal goal = PairGoal::meetings, const Nearness& nearness = {});
 
 }  // namespace oblast::noding

@@ -27,13 +27,16 @@ void in_call_memory(const Work& work) {
 }
 
 template <class Work>
-void on_threads(int threads, const Work& work) {
-  const LargeCall large;
-  if (threads == 0) {
+void on_threads(const Options& options, std::size_t vertices, const Work& work) {
+  const auto large_call = [&] {
+    const LargeCall large(kept_blocks(options.workspace, vertices));
     work();
+  };
+  if (options.threads == 0) {
+    large_call();
   } else {
-    tbb::task_arena arena(threads);
-    arena.execute(work);
+    tbb::task_arena arena(options.threads);
+    arena.execute(large_call);
   }
 }
 
@@ -51,10 +54,11 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   PipelineResult result;
   const auto work = [&] { result = run_pipeline(a, b, operation, options, control, statistics); };
   constexpr std::size_t small_call = 128;
-  if (a.points.size() + (b ? b->points.size() : 0) <= small_call)
+  const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
+  if (vertices <= small_call)
     in_call_memory(work);
   else
-    on_threads(options.threads, work);
+    on_threads(options, vertices, work);
   if (options.statistics) {
     statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
     statistics.input_vertices = a.points.size() + (b ? b->points.size() : 0);

@@ -101,8 +101,8 @@ class ConflictFinder {
   noding::Box box_of(std::uint32_t edge) const { return noding::Box::of(points_[edge], points_[edge + 1]); }
 
   /// Each straightened edge is a run of its own, so that it is tested against its neighbours too.
-  Array<noding::Run> runs() const {
-    Array<noding::Run> single;
+  LargeArray<noding::Run> runs() const {
+    LargeArray<noding::Run> single;
     for (const noding::Run& run : noding::monotone_runs(s_.strands, noding::Grouping::by_moved)) {
       if (run.group != noding::any_group) {
         single.push_back(run);

@@ -41,6 +41,20 @@ TEST_P(OutOfMemory, atAnyAllocationOfAnOverlayLeavesNothingBehind) {
   }
   const auto [a, b] = generators::coverages(3, large_size);
   fail_every_allocation_of([&] { return overlay(a, b, Operation::intersection, options); }, 50);
+  // And with a workspace, whose blocks are there again after what was thrown.
+  Workspace workspace;
+  options.workspace = &workspace;
+  const auto [c, d] = generators::coverages(3, 8 * large_size);
+  const RegionSet expected = overlay(c, d, Operation::intersection, options);
+  for (std::uint64_t number = 1; number < 40; ++number) {
+    try {
+      const FailingAllocation failing(number);
+      EXPECT_EQ(overlay(c, d, Operation::intersection, options), expected);
+    } catch (const std::bad_alloc&) {
+    }
+    EXPECT_LE(workspace.kept_bytes(), Workspace::usual_bytes);
+  }
+  EXPECT_EQ(overlay(c, d, Operation::intersection, options), expected);
 }
 
 constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov};

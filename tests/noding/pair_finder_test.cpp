@@ -35,7 +35,7 @@ bool meet(const Strands& strands, std::uint32_t i, std::uint32_t j) {
 }
 
 /// The pairs of edges that the search visits, sorted, of those whose boxes meet.
-std::vector<EdgePair> visited(const Strands& strands, Array<Run> runs) {
+std::vector<EdgePair> visited(const Strands& strands, LargeArray<Run> runs) {
   std::mutex mutex;
   std::vector<EdgePair> pairs;
   find_pairs(strands.points, std::move(runs), [&](std::span<const RunPair> batch) {
@@ -83,7 +83,7 @@ bool linked_at(const Strands& strands, const Point& x, const std::vector<EdgePai
 /// Every two edges of different runs that meet are visited, but where both runs are of one group; those that
 /// meet in a common end may be visited by way of others. Returns how many pairs meet.
 std::size_t expect_all_found(const Strands& strands) {
-  const Array<noding::Run> runs = monotone_runs(strands, Grouping::by_strand);
+  const LargeArray<noding::Run> runs = monotone_runs(strands, Grouping::by_strand);
   const std::vector<EdgePair> found = visited(strands, runs);
   struct Edge {
     std::uint32_t edge, run;

@@ -1,0 +1,108 @@
+#include "memory/kept_blocks.h"
+
+#include <oblast/workspace.h>
+
+#include <algorithm>
+#include <new>
+
+namespace oblast {
+namespace {
+
+/// Shorter blocks are found by the system at little cost.
+constexpr std::size_t shortest = std::size_t{64} << 10;
+/// A block that is longer than the array by more than this is left for a longer one.
+constexpr std::size_t largest_excess = 2;
+
+}  // namespace
+
+struct alignas(__STDCPP_DEFAULT_NEW_ALIGNMENT__) KeptBlocks::Header {
+  KeptBlocks* owner;  ///< null: the system's
+  std::size_t bytes;  ///< with the header
+};
+
+KeptBlocks::KeptBlocks(std::size_t most_bytes) : most_bytes_(most_bytes) { free_.reserve(most_bytes / shortest + 1); }
+
+std::size_t KeptBlocks::bytes() const {
+  const std::lock_guard lock(mutex_);
+  return bytes_;
+}
+
+void KeptBlocks::clear() {
+  const std::lock_guard lock(mutex_);
+  while (!free_.empty()) drop_oldest();
+}
+
+void KeptBlocks::drop_oldest() {
+  Header* const header = free_.front();
+  free_.erase(free_.begin());
+  bytes_ -= header->bytes;
+  ::operator delete(header);
+}
+
+/// The shortest one that is long enough; null where there is none.
+KeptBlocks::Header* KeptBlocks::take(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  auto best = free_.end();
+  for (auto it = free_.begin(); it != free_.end(); ++it) {
+    const std::size_t size = (*it)->bytes;
+    if (size >= bytes && size / largest_excess <= bytes && (best == free_.end() || size < (*best)->bytes)) best = it;
+  }
+  if (best == free_.end()) return nullptr;
+  Header* const header = *best;
+  free_.erase(best);
+  bytes_ -= header->bytes;
+  return header;
+}
+
+void KeptBlocks::keep(Header* header) {
+  const std::lock_guard lock(mutex_);
+  free_.push_back(header);
+  bytes_ += header->bytes;
+  while (bytes_ > most_bytes_) drop_oldest();
+}
+
+void* take_block(std::size_t bytes) {
+  if (bytes < shortest) return ::operator new(bytes);
+  const std::size_t with_header = bytes + sizeof(KeptBlocks::Header);
+  KeptBlocks* const owner = KeptBlocks::current_;
+  KeptBlocks::Header* header = owner ? owner->take(with_header) : nullptr;
+  if (!header) {
+    header = new (::operator new(with_header)) KeptBlocks::Header{owner, with_header};
+  }
+  return header + 1;
+}
+
+void give_block_back(void* block, std::size_t bytes) {
+  if (bytes < shortest) {
+    ::operator delete(block, bytes);
+    return;
+  }
+  KeptBlocks::Header* const header = static_cast<KeptBlocks::Header*>(block) - 1;
+  if (header->owner)
+    header->owner->keep(header);
+  else
+    ::operator delete(header);
+}
+
+Workspace::Workspace(std::size_t most_bytes) : blocks_(std::make_unique<KeptBlocks>(most_bytes)) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
+
+std::size_t Workspace::kept_bytes() const { return blocks_ ? blocks_->bytes() : 0; }
+void Workspace::clear() {
+  if (blocks_) blocks_->clear();
+}
+
+KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices) {
+  KeptBlocks* const blocks = workspace ? workspace->blocks_.get() : nullptr;
+  // The largest arrays alone have some thirty bytes a vertex.
+  constexpr std::size_t bytes_a_vertex = 64;
+  if (blocks && vertices > blocks->most_bytes() / bytes_a_vertex) {
+    blocks->clear();
+    return nullptr;
+  }
+  return blocks;
+}
+
+}  // namespace oblast
