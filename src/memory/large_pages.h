@@ -82,16 +82,17 @@ void release_unused_pages([[maybe_unused]] std::vector<T, Allocator>& items) {
 #endif
 }
 
-/// The same for an empty array, and makes them. All cores fetch the pages first, since the first touch of one costs
-/// most.
+/// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
 void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
-  reserve_in_large_pages(items, count);
+  if (items.capacity() < count) reserve_in_large_pages(items, count);
   constexpr std::size_t pages_a_task = 2;
-  char* const memory = reinterpret_cast<char*>(items.data());
-  for_ranges(count * sizeof(T) / large_page, pages_a_task, [&](std::size_t first, std::size_t past) {
-    for (; first < past; ++first) memory[first * large_page] = 0;
-  });
+  if (items.size() < count) {
+    char* const memory = reinterpret_cast<char*>(items.data() + items.size());
+    for_ranges((count - items.size()) * sizeof(T) / large_page, pages_a_task, [&](std::size_t first, std::size_t past) {
+      for (; first < past; ++first) memory[first * large_page] = 0;
+    });
+  }
   items.resize(count, value);
 }
 template <class T>

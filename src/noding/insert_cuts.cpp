@@ -12,12 +12,6 @@
 namespace oblast::noding {
 namespace {
 
-template <class T>
-void grow(Array<T>& items, std::size_t size) {
-  if (items.capacity() < size) reserve_in_large_pages(items, size);
-  items.resize(size);
-}
-
 class CutInsertion {
  public:
   CutInsertion(Strands& strands, std::span<const EdgeCut> cuts)
@@ -28,9 +22,9 @@ class CutInsertion {
 
   void run() {
     const bool first_round = strands_.origin.empty();
-    grow(strands_.points, to_);
-    grow(strands_.flags, to_);
-    grow(strands_.origin, to_);
+    resize_in_large_pages(strands_.points, to_);
+    resize_in_large_pages(strands_.flags, to_);
+    resize_in_large_pages(strands_.origin, to_);
     if (first_round) std::iota(strands_.origin.begin(), strands_.origin.begin() + from_, 0U);
     move_ends();
     for (std::size_t past = cuts_.size(); past > 0;) {
