@@ -1,6 +1,7 @@
 #include "overlay/locate_below.h"
 
 #include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <numeric>
@@ -8,6 +9,7 @@
 
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -22,13 +24,9 @@ struct SweepRun {
 
 class Sweep {
  public:
-  Sweep(const ChainGraph& graph, std::span<const BelowQuery> queries) : graph_(graph), queries_(queries) {
-    order_.resize(queries.size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    tbb::parallel_sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return lexicographically_less(queries[i].p, queries[j].p);
-    });
-  }
+  /// Of some of the queries: `order`, sorted by p.
+  Sweep(const ChainGraph& graph, std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
+      : graph_(graph), queries_(queries), order_(order) {}
 
   void add(std::uint32_t chain) {
     const Chain& c = graph_.chains[chain];
@@ -42,7 +40,8 @@ class Sweep {
     }
   }
 
-  Array<Below> run();
+  /// Answers go to their places.
+  void run(Array<Below>& answers);
 
  private:
   /// The order of the status, from below to above. Of two runs compared the later one is being put in:
@@ -84,13 +83,12 @@ class Sweep {
 
   const ChainGraph& graph_;
   std::span<const BelowQuery> queries_;
-  Array<std::uint32_t> order_;  ///< queries, sorted by p
+  std::span<const std::uint32_t> order_;
   Array<SweepRun> runs_;
   Array<Point> start_points_;
 };
 
-Array<Below> Sweep::run() {
-  Array<Below> answers(queries_.size());
+void Sweep::run(Array<Below>& answers) {
   Array<std::uint32_t> starts(runs_.size()), finishes(runs_.size());
   std::iota(starts.begin(), starts.end(), 0U);
   std::iota(finishes.begin(), finishes.end(), 0U);
@@ -139,7 +137,6 @@ Array<Below> Sweep::run() {
     const SweepRun& below = runs_[*std::prev(it)];
     answers[query] = {below.chain, below.step > 0};
   }
-  return answers;
 }
 
 }  // namespace
@@ -147,9 +144,22 @@ Array<Below> Sweep::run() {
 Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                           std::span<const BelowQuery> queries) {
   if (queries.empty()) return {};
-  Sweep sweep(graph, queries);
-  for (const std::uint32_t chain : chains) sweep.add(chain);
-  return sweep.run();
+  Array<std::uint32_t> order(queries.size());
+  std::iota(order.begin(), order.end(), 0U);
+  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return lexicographically_less(queries[i].p, queries[j].p);
+  });
+  // Slabs side by side, one a core: each has a sweep of its own, over the runs that hold a query of its.
+  constexpr std::size_t fewest_queries = 8;
+  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::size_t queries_a_slab = std::max(fewest_queries, range_count(order.size(), cores));
+  Array<Below> answers(queries.size());
+  for_numbered_ranges(order.size(), queries_a_slab, [&](std::size_t, std::size_t begin, std::size_t end) {
+    Sweep sweep(graph, queries, std::span(order).subspan(begin, end - begin));
+    for (const std::uint32_t chain : chains) sweep.add(chain);
+    sweep.run(answers);
+  });
+  return answers;
 }
 
 }  // namespace oblast
