@@ -13,7 +13,8 @@ class KeptBlocks;
 /// no difference to the results. Calls on a few dozen vertices do without it; so do calls on more vertices than it has
 /// 64 bytes for, which empty it.
 ///
-/// One call at a time: two threads need a workspace each. It must outlive the calls, not their results.
+/// Calls may share one at the same time, under a lock; one a thread is best. It must outlive the calls, not their
+/// results.
 class Workspace {
  public:
   static constexpr std::size_t usual_bytes = std::size_t{16} << 20;

@@ -3,14 +3,13 @@
 // A call of a few dozen edges makes some eighty small arrays, and to ask the system for each takes a fifth of its time.
 // So a small call brings its memory with it, and what is freed is taken again by the next array of about that size.
 // Such a call stays on its thread, so nothing there is shared. When the memory is used up, and in larger calls, arrays
-// come from the system.
+// come from the system; long ones from the call's workspace, where it has one (kept_blocks.h).
 #pragma once
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <new>
 #include <vector>
 

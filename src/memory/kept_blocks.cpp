@@ -10,7 +10,7 @@ namespace {
 
 /// Shorter blocks are found by the system at little cost.
 constexpr std::size_t shortest = std::size_t{64} << 10;
-/// A block that is longer than the array by more than this is left for a longer one.
+/// A block that is more than so many times as long as the array is left for a longer one.
 constexpr std::size_t largest_excess = 2;
 
 }  // namespace

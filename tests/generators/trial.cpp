@@ -3,6 +3,7 @@
 
 #include <oblast/domain.h>
 #include <oblast/overlay.h>
+#include <oblast/workspace.h>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,10 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
   }
   if (unite(result, again(options)) != result) return broken(Broken::not_idempotent, "unite(result) is not result");
 
+  // Otherwise: another order, other threads, and memory that calls before have left.
+  static thread_local Workspace workspace;
   options.statistics = nullptr;
+  options.workspace = &workspace;
   if (request.other_threads) options.threads = 2;
   RegionSet a = shuffled(operands.a, request.fill_a, request.seed);
   RegionSet b = shuffled(operands.b, request.fill_b, request.seed + 1);
