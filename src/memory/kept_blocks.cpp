@@ -74,7 +74,7 @@ void* take_block(std::size_t bytes) {
 
 void give_block_back(void* block, std::size_t bytes) {
   if (bytes < shortest) {
-    ::operator delete(block, bytes);
+    ::operator delete(block);
     return;
   }
   KeptBlocks::Header* const header = static_cast<KeptBlocks::Header*>(block) - 1;
