@@ -35,26 +35,26 @@ TEST_P(OutOfMemory, atAnyAllocationOfAnOverlayLeavesNothingBehind) {
   options.engine = GetParam();
   options.threads = 1;
   for (const auto& generator : generators::hostile_generators()) {
-    const auto [a, b] = generator.make(5, small_size);
+    const generators::Operands small = generator.make(5, small_size);
     for (const Operation operation : {Operation::intersection, Operation::symmetric_difference})
-      fail_every_allocation_of([&] { return overlay(a, b, operation, options); }, fewest_of_small);
+      fail_every_allocation_of([&] { return overlay(small.a, small.b, operation, options); }, fewest_of_small);
   }
-  const auto [a, b] = generators::coverages(3, large_size);
-  fail_every_allocation_of([&] { return overlay(a, b, Operation::intersection, options); }, 50);
+  const generators::Operands large = generators::coverages(3, large_size);
+  fail_every_allocation_of([&] { return overlay(large.a, large.b, Operation::intersection, options); }, 50);
   // And with a workspace, whose blocks are there again after what was thrown.
   Workspace workspace;
   options.workspace = &workspace;
-  const auto [c, d] = generators::coverages(3, 8 * large_size);
-  const RegionSet expected = overlay(c, d, Operation::intersection, options);
+  const generators::Operands longer = generators::coverages(3, 8 * large_size);
+  const RegionSet expected = overlay(longer.a, longer.b, Operation::intersection, options);
   for (std::uint64_t number = 1; number < 40; ++number) {
     try {
       const FailingAllocation failing(number);
-      EXPECT_EQ(overlay(c, d, Operation::intersection, options), expected);
+      EXPECT_EQ(overlay(longer.a, longer.b, Operation::intersection, options), expected);
     } catch (const std::bad_alloc&) {
     }
     EXPECT_LE(workspace.kept_bytes(), Workspace::usual_bytes);
   }
-  EXPECT_EQ(overlay(c, d, Operation::intersection, options), expected);
+  EXPECT_EQ(overlay(longer.a, longer.b, Operation::intersection, options), expected);
 }
 
 constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov};
