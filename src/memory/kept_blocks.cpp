@@ -2,7 +2,6 @@
 
 #include <oblast/workspace.h>
 
-#include <algorithm>
 #include <new>
 
 namespace oblast {

@@ -70,18 +70,6 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
 #endif
 }
 
-/// Gives the pages past the last element back to the system; the capacity stays.
-template <class T, class Allocator>
-void release_unused_pages([[maybe_unused]] std::vector<T, Allocator>& items) {
-#ifdef __linux__
-  constexpr std::uintptr_t page = large_page;
-  const auto data = reinterpret_cast<std::uintptr_t>(items.data());
-  const std::uintptr_t first = (data + items.size() * sizeof(T) + page - 1) / page * page,
-                       last = (data + items.capacity() * sizeof(T)) / page * page;
-  if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - data), last - first, MADV_DONTNEED);
-#endif
-}
-
 /// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
 void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
@@ -99,6 +87,18 @@ template <class T>
 void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
   reserve_in_large_pages(items, count);
   items.resize(count);
+}
+
+/// Gives the pages past the last element back to the system; the capacity stays.
+template <class T, class Allocator>
+void release_unused_pages([[maybe_unused]] std::vector<T, Allocator>& items) {
+#ifdef __linux__
+  constexpr std::uintptr_t page = large_page;
+  const auto data = reinterpret_cast<std::uintptr_t>(items.data());
+  const std::uintptr_t first = (data + items.size() * sizeof(T) + page - 1) / page * page,
+                       last = (data + items.capacity() * sizeof(T)) / page * page;
+  if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - data), last - first, MADV_DONTNEED);
+#endif
 }
 
 }  // namespace oblast

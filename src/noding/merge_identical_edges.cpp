@@ -1,7 +1,5 @@
 #include "noding/merge_identical_edges.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -103,8 +101,8 @@ LargeArray<std::uint32_t> hash_edges(const Array<Point>& points) {
 /// The hashes that another edge had already, with some that only seem to. Each core looks after its share of the table.
 Array<std::uint32_t> repeated_hashes(const Strands& strands, const LargeArray<std::uint32_t>& hashes) {
   constexpr std::size_t bits_an_edge = 16, edges_a_core = 1 << 16;
-  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t shares = std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(cores, 8));
+  const std::size_t shares =
+      std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(core_count(), 8));
   HashBits seen(hashes.size(), bits_an_edge);
   Array<Array<std::uint32_t>> repeated(shares);
   for_ranges(shares, 1, [&](std::size_t begin, std::size_t end) {

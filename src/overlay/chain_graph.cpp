@@ -314,7 +314,7 @@ ChainGraph build_chain_graph(Strands strands) {
   Stops stops = cutter.stops();
   number_nodes(order_stops(graph.strands, stops), stops, graph);
   graph.chains = cutter.chains(stops);
-  stops.node = {};
+  stops.node = LargeArray<std::uint32_t>();
   if (build_connectivity_lists(graph, stops)) drop_dead_chains(graph);
   return graph;
 }

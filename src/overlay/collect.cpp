@@ -1,7 +1,6 @@
 #include "overlay/collect.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -143,7 +142,7 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
     control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
     return reader.read(part * polygons_a_part, std::min(count, (part + 1) * polygons_a_part), to);
   };
-  if (parts == 1 || tbb::this_task_arena::max_concurrency() == 1) {
+  if (parts == 1 || core_count() == 1) {
     for (std::size_t part = 0; part < parts; ++part) statistics.resolved_polygons += read_part(part, strands);
     return;
   }

@@ -152,7 +152,7 @@ ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   if (boxes.empty()) return connected;
   connected.order = curve_order(boxes);
   Connector connector(boxes, connected.order);
-  boxes = {};  // it has them along the curve
+  boxes = LargeArray<Box>();  // it has them along the curve; = {} would keep the memory
   connected.component = connector.run();
   return connected;
 }

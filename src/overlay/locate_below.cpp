@@ -1,7 +1,6 @@
 #include "overlay/locate_below.h"
 
 #include <tbb/parallel_sort.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <numeric>
@@ -151,8 +150,7 @@ Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t
   });
   // Slabs side by side, one a core: each has a sweep of its own, over the runs that hold a query of its.
   constexpr std::size_t fewest_queries = 8;
-  const auto cores = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::size_t queries_a_slab = std::max(fewest_queries, range_count(order.size(), cores));
+  const std::size_t queries_a_slab = std::max(fewest_queries, range_count(order.size(), core_count()));
   Array<Below> answers(queries.size());
   for_numbered_ranges(order.size(), queries_a_slab, [&](std::size_t, std::size_t begin, std::size_t end) {
     Sweep sweep(graph, queries, std::span(order).subspan(begin, end - begin));

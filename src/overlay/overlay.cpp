@@ -44,8 +44,8 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   check_options(options);
   validate(a, 0);
   if (b) validate(*b, 1);
-  if (a.points.size() + (b ? b->points.size() : 0) >= 0x7fffffff)
-    throw Error(ErrorCode::too_large, "more than 2^31 - 1 vertices in one call");
+  const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
+  if (vertices >= 0x7fffffff) throw Error(ErrorCode::too_large, "more than 2^31 - 1 vertices in one call");
   if (b)
     if (std::optional<RegionSet> result = classics::fast_overlay(a, *b, operation, options)) return *std::move(result);
 
@@ -54,14 +54,13 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   PipelineResult result;
   const auto work = [&] { result = run_pipeline(a, b, operation, options, control, statistics); };
   constexpr std::size_t small_call = 128;
-  const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
   if (vertices <= small_call)
     in_call_memory(work);
   else
     on_threads(options, vertices, work);
   if (options.statistics) {
     statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
-    statistics.input_vertices = a.points.size() + (b ? b->points.size() : 0);
+    statistics.input_vertices = vertices;
     statistics.output_polygons = result.regions.polygon_ends.size();
     statistics.output_contours = result.regions.contour_ends.size();
     statistics.output_vertices = result.regions.points.size();

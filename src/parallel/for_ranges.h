@@ -3,6 +3,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cstddef>
 
@@ -20,6 +21,11 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+/// On how many cores for_ranges works: on one in a small call.
+inline std::size_t core_count() {
+  return CallMemory::current() ? 1 : static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
 }
 
 /// So many of `count` indices that have about 2^15 of `parts` parts: the grain of a loop over parts, as the vertices of
