@@ -52,6 +52,7 @@ class Comparison {
       for (const Point& p : operand.points) {
         for (std::uint32_t e = 0; e < edges_.size(); ++e) {
           if (!lies_inside(p, e) || sources_.may_have_cancelled(p)) continue;
+          if (sources_.may_have_moved_onto(p, edges_.from(e), edges_.to(e))) continue;
           return edges_.fault_at(e, "input vertex " + to_text(p) + " was left out of edge " + name(e));
         }
       }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/predicates.h"
+
 namespace oblast::verify {
 
 Sources::Sources(const RegionView& a, const RegionView& b, const Options& options, double bound_ulps) {
@@ -114,6 +116,28 @@ bool Sources::may_have_cancelled(const Point& p) const {
     if (!covered) return false;
   }
   return true;
+}
+
+bool Sources::meets_own_polygon(std::size_t edge) const {
+  const InputEdge& e = edges_[edge];
+  if (e.polygon == InputEdge::npos) return false;
+  return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& f) {
+    return &f != &e && f.polygon == e.polygon && meet_badly(e.from, e.to, f.from, f.to);
+  });
+}
+
+bool Sources::may_have_moved_onto(const Point& p, const Point& from, const Point& to) const {
+  const std::vector<std::size_t> along = near_both(from, to);
+  const RationalPoint at(p);
+  for (const std::size_t e : along) {
+    if (squared_distance(at, edges_[e].from, edges_[e].to) == 0 && !meets_own_polygon(e)) return false;
+  }
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const InputEdge& other = edges_[e];
+    if (other.from == p || other.to == p || std::binary_search(along.begin(), along.end(), e)) continue;
+    if (meet_badly(from, to, other.from, other.to)) return true;
+  }
+  return false;
 }
 
 }  // namespace oblast::verify

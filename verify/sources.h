@@ -50,7 +50,13 @@ class Sources {
   /// may have cancelled.
   bool may_have_cancelled(const Point& p) const;
 
+  /// True when vertex p may lie on an edge only since traces were taken out of it, which moved it: p is not exactly on
+  /// an input edge along it (pieces of an edge that meets others of its polygon do not count: it is resolved first),
+  /// and other edges meet it.
+  bool may_have_moved_onto(const Point& p, const Point& from, const Point& to) const;
+
  private:
+  bool meets_own_polygon(std::size_t edge) const;
   void collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon);
 
   std::vector<InputEdge> edges_;

@@ -4,14 +4,17 @@
 //   a --------------------- b        the straightened edge, kept if it meets nothing else
 //
 // All straightened edges are tried at once; those that meet another edge of the result other than at an
-// end, or that would pass over a vertex of it, get their vertices back, all at once, until none does. So the
-// outcome is a function of the result alone, and promise G2 holds.
+// end, or that would pass over a vertex of it, get their vertices back, all at once, until none does. Where two were in
+// each other's way both did: what came back is tried again one by one (retry_traces.h). So the outcome is a function of
+// the result alone, promise G2 holds, and no vertex stays that could go.
 #include <algorithm>
 #include <atomic>
 
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 #include "noding/pair_finder.h"
+#include "overlay/edge_conflict.h"
+#include "overlay/retry_traces.h"
 #include "overlay/rings.h"
 
 namespace oblast {
@@ -19,24 +22,6 @@ namespace {
 
 using exact::orientation;
 using noding::Strands;
-
-/// REQUIRES: the boxes of (a, b) and (c, d) meet. Sharing one end is no conflict.
-bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const bool share_a = a == c || a == d, share_b = b == c || b == d;
-  if (share_a && share_b) return true;
-  const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
-  if (share_a || share_b) {
-    if (c_side != 0 || d_side != 0) return false;
-    const Point &shared = share_a ? a : b, &p = share_a ? b : a, &q = (c == shared) ? d : c;
-    return lexicographically_less(p, shared) == lexicographically_less(q, shared);
-  }
-  if (c_side * d_side > 0) return false;
-  if (c_side == 0 && d_side == 0) {
-    // Collinear with boxes that meet.
-    return true;
-  }
-  return orientation(c, d, a) * orientation(c, d, b) <= 0;
-}
 
 /// The rings as closed strands without the vertices flagged `drop`; `from` is by vertex of the strands.
 struct Straightened {
@@ -148,21 +133,16 @@ class ConflictFinder {
     visit(rings_.points[to]);
   }
 
-  /// p lies between the straightened edge and the pieces it replaces: an upward ray crosses them an odd number
-  /// of times together.
+  /// p lies between the straightened edge and the pieces it replaces.
   bool passes_over(std::uint32_t edge, const Point& p) const {
-    bool inside = false;
-    const auto cross = [&](const Point& u, const Point& v) {
-      if ((u.x <= p.x) == (v.x <= p.x)) return;
-      inside ^= orientation(u, v, p) == (u.x < v.x ? -1 : 1);
-    };
+    PointInRing query(p);
     const Point* before = nullptr;
     for_each_vertex(edge, [&](const Point& v) {
-      if (before) cross(*before, v);
+      if (before) query.add_edge(*before, v);
       before = &v;
     });
-    cross(points_[edge + 1], points_[edge]);
-    return inside;
+    query.add_edge(points_[edge + 1], points_[edge]);
+    return query.is_inside();
   }
 
   /// The pieces are looked for by the box of the edge, so they must not leave it.
@@ -185,41 +165,26 @@ void restore_after(Rings& rings, std::uint32_t vertex) {
   for (std::uint32_t v = vertex;;) {
     v = v + 1 == end ? begin : v + 1;
     if (!(rings.flags[v] & trace_vertex)) return;
-    rings.flags[v] &= static_cast<std::uint8_t>(~trace_vertex);
+    rings.flags[v] = static_cast<std::uint8_t>((rings.flags[v] & ~trace_vertex) | restored_vertex);
   }
-}
-
-/// Drops the vertices for which `drop` says so, ring by ring.
-template <class Drop>
-Rings without(const Rings& rings, const Drop& drop) {
-  Rings result;
-  for (std::size_t r = 0; r < rings.size(); ++r) {
-    for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
-      if (drop(r, v)) continue;
-      result.points.push_back(rings.points[v]);
-      result.flags.push_back(rings.flags[v]);
-    }
-    result.ends.push_back(static_cast<std::uint32_t>(result.points.size()));
-  }
-  return result;
 }
 
 }  // namespace
 
 Rings remove_traces(Rings rings, CollinearVertices collinear) {
-  const auto is_trace = [](std::uint8_t f) { return (f & trace_vertex) != 0; };
-  while (std::any_of(rings.flags.begin(), rings.flags.end(), is_trace)) {
+  const auto has = [&](RingVertex bit) {
+    return std::any_of(rings.flags.begin(), rings.flags.end(), [&](std::uint8_t f) { return (f & bit) != 0; });
+  };
+  while (has(trace_vertex)) {
     const Straightened straightened = straighten(rings);
     const Array<std::uint32_t> conflicts = ConflictFinder(rings, straightened).run();
-    if (conflicts.empty()) {
-      rings = without(rings, [&](std::size_t, std::uint32_t v) { return is_trace(rings.flags[v]); });
-      break;
-    }
     for (const std::uint32_t vertex : conflicts) restore_after(rings, vertex);
+    if (conflicts.empty()) rings = without(rings, trace_vertex);
   }
+  if (has(restored_vertex)) rings = retry_traces(std::move(rings));
   if (collinear == CollinearVertices::drop) {
     // Collinear with both neighbours is collinear with the vertices that stay on either side.
-    rings = without(rings, [&](std::size_t r, std::uint32_t v) {
+    rings = without_if(rings, [&](std::size_t r, std::uint32_t v) {
       const std::uint32_t begin = rings.begin(r), last = rings.ends[r] - 1;
       const Point& before = rings.points[v == begin ? last : v - 1];
       const Point& after = rings.points[v == last ? begin : v + 1];

@@ -11,8 +11,9 @@ namespace oblast {
 
 /// What is known of a vertex of the result; a set of bits.
 enum RingVertex : std::uint8_t {
-  trace_vertex = 1,  ///< added by noding between two pieces of one input edge: to be taken out if possible
-  touch_vertex = 2,  ///< more than two edges of the result meet here
+  trace_vertex = 1,     ///< added by noding between two pieces of one input edge: to be taken out if possible
+  touch_vertex = 2,     ///< more than two edges of the result meet here
+  restored_vertex = 4,  ///< was a trace vertex, but the straightened edge met something
 };
 
 struct Rings {
@@ -23,6 +24,26 @@ struct Rings {
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
 };
+
+/// The rings without the vertices for which drop(ring, vertex) says so. Cost: linear.
+template <class Drop>
+Rings without_if(const Rings& rings, const Drop& drop) {
+  Rings result;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
+      if (drop(r, v)) continue;
+      result.points.push_back(rings.points[v]);
+      result.flags.push_back(rings.flags[v]);
+    }
+    result.ends.push_back(static_cast<std::uint32_t>(result.points.size()));
+  }
+  return result;
+}
+
+/// Those without the bit.
+inline Rings without(const Rings& rings, RingVertex bit) {
+  return without_if(rings, [&](std::size_t, std::uint32_t v) { return (rings.flags[v] & bit) != 0; });
+}
 
 /// By node: RingVertex bits of the vertex there. Cost: linear in the chains.
 Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);

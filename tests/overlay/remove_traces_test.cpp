@@ -55,17 +55,32 @@ TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldCross) {
                 "0 0, 8 4, 0 4 | 4 2.5, 4 3.5, 3 3.5");
 }
 
-TEST(RemoveTraces, keepsThemWhereTheyLeaveTheBoxOfTheStraightEdge) {
-  const std::string text = "0 0, 4 -1, 8 4, 0 4";
-  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), text);
+TEST(RemoveTraces, takesThemOutWhereTheyLeaveTheBoxOfTheStraightEdge) {
+  expect_points(remove_traces(rings_of("0 0, 4 -1, 8 4, 0 4", {1}), CollinearVertices::keep), "0 0, 8 4, 0 4");
+  // But not over a vertex outside that box.
+  const std::string over = "0 0, 4 -1, 8 4, 0 4 | 4 -0.75, 4.125 -0.5, 4 -0.5";
+  expect_points(remove_traces(rings_of(over, {1}), CollinearVertices::keep), over);
 }
 
-TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldPassOverAVertex) {
-  // The small ring lies whole between the edge's pieces and the straight edge: neither would cross it.
-  const std::string text = "0 0, 2 2, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6";
-  const std::string bent = "0 0, 3 1, 4 4, 0 4 | 2.4 2, 2.5 2, 2.5 2.1";
-  expect_points(remove_traces(rings_of(bent, {1}), CollinearVertices::keep), bent);
-  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), "0 0, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6");
+TEST(RemoveTraces, takesThemOutAlthoughAnotherWasInTheWayWhenStraight) {
+  // Straight, the two rings' edges meet beside (2.5 2.5).
+  const Rings rings = rings_of("0 0, 3 2, 2.5 2.5, 2 3, 1 1.5 | 0 5, 1.5000000000000002 3.5, 2.5 2.5, 4 4", {4, 6});
+  expect_points(remove_traces(rings, CollinearVertices::keep),
+                "0 0, 3 2, 2.5 2.5, 2 3 | 0 5, 1.5000000000000002 3.5, 2.5 2.5, 4 4");
+}
+
+TEST(RemoveTraces, takesTheSmallerOutWhereEitherCanGo) {
+  // Two rings meet at both ends of one straight edge, and bend away from it to either side.
+  const std::string upper = "0 0, 4 3, 8 4, 0 8", lower = "0 0, 9 -8, 8 4, 4 1", straight = "0 0, 9 -8, 8 4";
+  expect_points(remove_traces(rings_of(upper + " | " + lower, {1, 7}), CollinearVertices::keep),
+                upper + " | " + straight);
+  expect_points(remove_traces(rings_of(lower + " | " + upper, {3, 5}), CollinearVertices::keep),
+                straight + " | " + upper);
+}
+
+TEST(RemoveTraces, takesOneOfTwoOutOfAnEdge) {
+  const Rings rings = rings_of("0 0, 4 1, 6 2.25, 8 4, 0 4 | 4 1.5, 4 3.5, 3 3.5", {1, 2});
+  expect_points(remove_traces(rings, CollinearVertices::keep), "0 0, 4 1, 8 4, 0 4 | 4 1.5, 4 3.5, 3 3.5");
 }
 
 // The straight edge meets nothing, so a search for edges that meet does not bring the ring to it.

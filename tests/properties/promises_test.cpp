@@ -104,6 +104,23 @@ RC_GTEST_PROP(Promises, resultsAreTheRightAnswer, ()) {
   expect_none(verify::check_against(a, b, operation, options, result, 2), operation, options);
 }
 
+// Found by the property above: two straightened edges in each other's way, and one that comes to lie on (1 4).
+TEST(Promises, oneOfTwoTracesIsTakenOut) {
+  const RegionSet a = generators::soup_from_wkt(
+      "MULTIPOLYGON (((0 5, 0 0, 4 2, 0 5)), ((1 4, 0 0, 1 0, 1 4)), ((0 4, 0 0, 3 3, 0 4)))");
+  for (const char* text : {"MULTIPOLYGON (((2 3, 3 2, 0 0, 2 3)), ((4 3, 3 0, 2 0, 4 3), (0 5, 2 4, 4 1, 0 5)))",
+                           "MULTIPOLYGON (((3 3, 0 0, 1 0, 3 3)), ((4 3, 3 0, 2 0, 4 3), (0 0, 4 1, 0 5, 0 0)))"}) {
+    const RegionSet b = generators::soup_from_wkt(text);
+    for (const ContourConvention contours : {ContourConvention::ogc, ContourConvention::leonov_nikitin}) {
+      Options options;
+      options.contours = contours;
+      const RegionSet result = overlay(a, b, Operation::intersection, options);
+      const auto fault = verify::check_against(a, b, Operation::intersection, options, result, 2);
+      EXPECT_FALSE(fault) << fault->what;
+    }
+  }
+}
+
 RC_GTEST_PROP(Promises, unitingAResultChangesNothing, ()) {
   const int extent = draw_extent();
   const RegionSet a = *grid_soup(extent), b = *grid_soup(extent);
