@@ -1,6 +1,7 @@
 #include "classics/arrangement.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "classics/clearance.h"
 #include "engines/leonov_nikitin/label.h"
@@ -81,11 +82,12 @@ OwnMeetings find_own_meetings(const std::vector<Ring>& rings) {
                               [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
   flag_ends(strands);
   found.graph = build_chain_graph(strands);
-  for (std::uint32_t c = 0; c < found.graph.chains.size(); ++c) {
-    if (found.graph.chains[c].merged_into == c) continue;
-    locate(found.graph.chains[c].first, found.doubled_ring, found.doubled_vertex);
-    break;
+  std::uint32_t doubled = none;  // the first edge that was there before
+  for (const Chain& chain : found.graph.chains) {
+    const Chain& kept = found.graph.chains[chain.merged_into];
+    if (&kept != &chain) doubled = std::min(doubled, std::max(chain.first, kept.first));
   }
+  if (doubled != none) locate(doubled, found.doubled_ring, found.doubled_vertex);
   return found;
 }
 
@@ -103,14 +105,16 @@ OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rin
 void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left) {
   const Array<Winding> right = leonov_nikitin::label(own.graph);
-  interior_left = right.empty() || right[0].a == 0;
-  for (std::uint32_t c = 0; c < right.size(); ++c) {
+  std::vector<std::uint32_t> along(right.size());  // the chains along the rings
+  std::iota(along.begin(), along.end(), 0U);
+  const auto first_of = [&](std::uint32_t c) { return own.graph.chains[c].first; };
+  std::sort(along.begin(), along.end(), [&](std::uint32_t c, std::uint32_t d) { return first_of(c) < first_of(d); });
+  interior_left = along.empty() || right[along[0]].a == 0;
+  for (const std::uint32_t c : along) {
     if (right[c].a == (interior_left ? 0 : -1)) continue;
     const auto& strands = own.graph.strands;
-    const std::uint32_t first = own.graph.chains[c].first;
-    const auto ring = static_cast<std::size_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), first) -
-                                               strands.ends.begin());
-    operand.refuse(why, rings[ring].contour, rings[ring].source[first - strands.begin(ring)]);
+    const std::size_t ring = strands.strand_of(first_of(c));
+    operand.refuse(why, rings[ring].contour, rings[ring].source[first_of(c) - strands.begin(ring)]);
   }
 }
 

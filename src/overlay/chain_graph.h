@@ -26,6 +26,7 @@ struct Chain {
   std::uint32_t last;         ///< index of its last vertex, > first
   std::uint32_t from;         ///< node of the first vertex; none for a closed chain without nodes
   std::uint32_t to;           ///< node of the last vertex
+  std::uint32_t before;       ///< the chain that ends in its first vertex, along the strand; none where it begins
   std::uint32_t merged_into;  ///< the chain that stands for this one: itself, unless an identical edge does
   Winding change;             ///< left minus right, of all merged chains together
 
@@ -42,10 +43,17 @@ constexpr Descriptor opposite(Descriptor d) { return d ^ 1; }
 
 struct ChainGraph {
   noding::Strands strands;
-  LargeArray<Chain> chains;
+  LargeArray<Chain> chains;               ///< by the nodes they leave forward; those without nodes come last
+  std::uint32_t first_loop = 0;           ///< the first of those
   LargeArray<std::uint32_t> node_vertex;  ///< by node: one vertex that lies there
   LargeArray<std::uint32_t> list_ends;    ///< by node: past its last descriptor in `lists`
   LargeArray<Descriptor> lists;           ///< connectivity lists, each counter-clockwise (see angular_order.h)
+
+  /// For who goes through the chains in order: their points are all over the strands.
+  void fetch_points_ahead(std::uint32_t chain) const {
+    constexpr std::uint32_t ahead = 16;
+    if (chain + ahead < chains.size()) __builtin_prefetch(&strands.points[chains[chain + ahead].first]);
+  }
 
   std::size_t node_count() const { return node_vertex.size(); }
   std::span<const Descriptor> list(std::uint32_t node) const {

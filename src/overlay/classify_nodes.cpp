@@ -60,26 +60,30 @@ class TraceFinder {
   }
 
   void find_sources() {
+    // Conditions are joined without branches: chains come node by node, so each is hard to foresee.
     Array<std::uint8_t> input_vertex(graph_.node_count(), 0);
     const auto note = [&](std::uint32_t node) {
       std::atomic_ref(input_vertex[node]).store(1, std::memory_order_relaxed);
     };
-    for_ranges(graph_.chains.size(), elements_a_task, [&](std::size_t begin, std::size_t end) {
+    for_ranges(graph_.first_loop, elements_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
+        if (c + 16 < end) __builtin_prefetch(&graph_.strands.flags[graph_.chains[c + 16].first]);
         const Chain& chain = graph_.chains[c];
-        if (chain.is_loop() || !graph_.is_live(chain.merged_into)) continue;
-        if (!added(chain.first)) note(chain.from);
-        if (!added(chain.last)) note(chain.to);
+        const bool live = graph_.is_live(chain.merged_into);
+        if (live & (degree_[chain.from] == 2) & !added(chain.first)) note(chain.from);
+        if (live & (degree_[chain.to] == 2) & !added(chain.last)) note(chain.to);
       }
     });
-    Array<Array<Source>> found(range_count(graph_.chains.size(), elements_a_task));
-    for_numbered_ranges(graph_.chains.size(), elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    Array<Array<Source>> found(range_count(graph_.first_loop, elements_a_task));
+    for_numbered_ranges(graph_.first_loop, elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
       // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
-      for (std::size_t c = std::max<std::size_t>(begin, 1); c < end; ++c) {
-        const Chain &before = graph_.chains[c - 1], &after = graph_.chains[c];
-        if (before.last != after.first || after.is_loop() || !added(after.first)) continue;
-        if (degree_[after.from] != 2 || input_vertex[after.from]) continue;
-        if (!is_selected(before) || !is_selected(after) || before.merged_into == after.merged_into) continue;
+      for (std::size_t c = begin; c < end; ++c) {
+        if (c + 16 < end) __builtin_prefetch(&graph_.strands.flags[graph_.chains[c + 16].first]);
+        const Chain& after = graph_.chains[c];
+        const bool between = after.before != none && added(after.first);
+        if (!(between & (degree_[after.from] == 2) & !input_vertex[after.from] & is_selected(after))) continue;
+        const Chain& before = graph_.chains[after.before];
+        if (!is_selected(before) || before.merged_into == after.merged_into) continue;
         found[i].push_back({after.from, graph_.strands.origin[after.first]});
       }
     });

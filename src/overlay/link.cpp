@@ -145,8 +145,8 @@ class Linker {
       for (const std::uint32_t c : part.far_chains)
         if (!paths_.is_collected(c)) others.collect(c);
     const auto chain_count = static_cast<std::uint32_t>(paths_.selection.size());
-    for (std::uint32_t c = 0; c < chain_count; ++c)
-      if (paths_.selection[c] != none && paths_.is_loop(c)) others.collect(c);
+    for (std::uint32_t c = paths_.graph.first_loop; c < chain_count; ++c)
+      if (paths_.selection[c] != none) others.collect(c);
     return join(std::move(collectors));
   }
 

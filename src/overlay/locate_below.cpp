@@ -3,8 +3,10 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
@@ -21,14 +23,44 @@ struct SweepRun {
   std::uint32_t chain;
 };
 
+/// How many queries lie before each of equal cells along x: most edges have none in theirs.
+class QueryCells {
+ public:
+  /// Of the queries in `order`, sorted by p.
+  QueryCells(std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
+      : count_(4 * order.size()), before_(count_ + 1, 0) {
+    low_ = queries[order.front()].p.x;
+    const double scale = static_cast<double>(count_) / (queries[order.back()].p.x - low_);
+    if (std::isfinite(scale)) scale_ = scale;
+    for (const std::uint32_t i : order) ++before_[cell_of(queries[i].p.x) + 1];
+    std::partial_sum(before_.begin(), before_.end(), before_.begin());
+  }
+
+  /// Places in `order` among which those between two x are.
+  std::pair<std::uint32_t, std::uint32_t> between(double x0, double x1) const {
+    return {before_[cell_of(x0)], before_[cell_of(x1) + 1]};
+  }
+
+ private:
+  std::size_t cell_of(double x) const {
+    return static_cast<std::size_t>(std::clamp((x - low_) * scale_, 0.0, static_cast<double>(count_ - 1)));
+  }
+
+  std::size_t count_;
+  double low_, scale_ = 0;
+  Array<std::uint32_t> before_;
+};
+
 class Sweep {
  public:
-  /// Of some of the queries: `order`, sorted by p.
+  /// Of some of the queries: `order`, sorted by p, not empty.
   Sweep(const ChainGraph& graph, std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
-      : graph_(graph), queries_(queries), order_(order) {}
+      : graph_(graph), queries_(queries), order_(order), cells_(queries, order) {}
 
   void add(std::uint32_t chain) {
+    graph_.fetch_points_ahead(chain);
     const Chain& c = graph_.chains[chain];
+    if (c.last - c.first == 1 && !may_hold_query(point(c.first), point(c.last))) return;
     for (std::uint32_t first = c.first; first < c.last;) {
       const bool rightward = lexicographically_less(point(first), point(first + 1));
       std::uint32_t last = first + 1;
@@ -61,11 +93,17 @@ class Sweep {
   const Point& edge_end(std::uint32_t r) const { return point(runs_[r].cursor + runs_[r].step); }
   const Point& point(std::uint32_t vertex) const { return graph_.strands.points[vertex]; }
 
+  bool may_hold_query(const Point& p, const Point& q) const {
+    const auto [first, past] = cells_.between(std::min(p.x, q.x), std::max(p.x, q.x));
+    return first != past;
+  }
+
   bool holds_query(std::uint32_t begin, std::uint32_t end) const {
-    const auto it = std::lower_bound(order_.begin(), order_.end(), point(begin), [&](std::uint32_t i, const Point& p) {
-      return lexicographically_less(queries_[i].p, p);
-    });
-    return it != order_.end() && lexicographically_less(queries_[*it].p, point(end));
+    const auto [first, past] = cells_.between(point(begin).x, point(end).x);
+    const auto it =
+        std::lower_bound(order_.begin() + first, order_.begin() + past, point(begin),
+                         [&](std::uint32_t i, const Point& p) { return lexicographically_less(queries_[i].p, p); });
+    return it != order_.begin() + past && lexicographically_less(queries_[*it].p, point(end));
   }
 
   /// True when the run passes below the edge (p, q), where p is where the sweep stands.
@@ -83,6 +121,7 @@ class Sweep {
   const ChainGraph& graph_;
   std::span<const BelowQuery> queries_;
   std::span<const std::uint32_t> order_;
+  QueryCells cells_;
   Array<SweepRun> runs_;
   Array<Point> start_points_;
 };

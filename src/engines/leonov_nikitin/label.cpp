@@ -32,20 +32,15 @@ struct Component {
   Winding outside = {};         ///< winding numbers of the sector outside it
 };
 
-/// The box of a chain and the smallest of its vertices.
-struct Extent {
-  Box box;
-  std::uint32_t smallest;
-};
+Box box_of(const Array<Point>& points, const Chain& chain) {
+  Box box = Box::of(points[chain.first], points[chain.last]);
+  for (std::uint32_t v = chain.first + 1; v < chain.last; ++v) box = box.joined(points[v]);
+  return box;
+}
 
-Extent extent_of(const Array<Point>& points, const Chain& chain) {
-  Extent e{Box::of(points[chain.first], points[chain.first]), chain.first};
-  for (std::uint32_t v = chain.first + 1; v <= chain.last; ++v) {
-    const Point& p = points[v];
-    e.box = e.box.joined(p);
-    if (lexicographically_less(p, points[e.smallest])) e.smallest = v;
-  }
-  return e;
+std::uint32_t smallest_of(const Array<Point>& points, const Chain& chain) {
+  const auto first = points.begin() + chain.first, past = points.begin() + chain.last + 1;
+  return chain.first + static_cast<std::uint32_t>(std::min_element(first, past, lexicographically_less) - first);
 }
 
 class Labelling {
@@ -65,7 +60,8 @@ class Labelling {
   struct Part {
     std::uint32_t component;  ///< none for a contour that meets nothing
     std::uint32_t chain;      ///< a chain that the smallest vertex is on
-    Extent extent;
+    std::uint32_t smallest;   ///< that vertex
+    Box box;
   };
 
   /// Of each component, and of each contour that meets nothing, which is one by itself.
@@ -85,19 +81,23 @@ class Labelling {
   Array<Part> parts_of(std::size_t begin, std::size_t end, const RelativeLabels& labels) {
     Array<Part> parts;
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+      graph_.fetch_points_ahead(c);
       if (!graph_.is_live(c)) continue;
       const Chain& chain = graph_.chains[c];
-      const Extent extent = extent_of(graph_.strands.points, chain);
+      const Box box = box_of(graph_.strands.points, chain);
       const std::uint32_t component = component_of_[c] = chain.is_loop() ? none : labels.component[chain.from];
+      const auto smallest = [&] { return smallest_of(graph_.strands.points, chain); };
       if (component == none || parts.empty() || parts.back().component != component) {
-        parts.push_back({component, c, extent});
+        parts.push_back({component, c, smallest(), box});
         continue;
       }
       Part& part = parts.back();
-      part.extent.box = part.extent.box.joined(extent.box);
-      if (!is_smaller(extent.smallest, part.extent.smallest)) continue;
-      part.extent.smallest = extent.smallest;
-      part.chain = c;
+      // Seldom: chains come in no order along x, so which of their ends is smaller is hard to foresee.
+      if (box.x0 <= part.box.x0 && is_smaller(smallest(), part.smallest)) {
+        part.smallest = smallest();
+        part.chain = c;
+      }
+      part.box = part.box.joined(box);
     }
     return parts;
   }
@@ -105,15 +105,14 @@ class Labelling {
   void add(const Part& part) {
     if (part.component == none) {
       component_of_[part.chain] = static_cast<std::uint32_t>(components_.size());
-      components_.push_back({part.chain, part.extent.smallest});
-      boxes_.push_back(part.extent.box);
+      components_.push_back({part.chain, part.smallest});
+      boxes_.push_back(part.box);
       return;
     }
     Component& component = components_[part.component];
     Box& box = boxes_[part.component];
-    box = component.chain == none ? part.extent.box : box.joined(part.extent.box);
-    if (component.chain == none || is_smaller(part.extent.smallest, component.vertex))
-      component = {part.chain, part.extent.smallest};
+    box = component.chain == none ? part.box : box.joined(part.box);
+    if (component.chain == none || is_smaller(part.smallest, component.vertex)) component = {part.chain, part.smallest};
   }
 
   bool is_smaller(std::uint32_t vertex, std::uint32_t other) const {
