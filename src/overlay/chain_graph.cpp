@@ -41,8 +41,7 @@ struct Stops {
 
   /// Stops are looked at node by node, so they come from all over the strands.
   void fetch_ahead(std::size_t i) const {
-    constexpr std::size_t ahead = 16;
-    if (i + ahead < order.size()) __builtin_prefetch(&along[order[i + ahead].index]);
+    if (i + fetched_ahead < order.size()) __builtin_prefetch(&along[order[i + fetched_ahead].index]);
   }
 };
 
@@ -156,7 +155,7 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
         if (last - first > 1) std::sort(order.data() + first, order.data() + last, in_order);
         for (std::size_t i = first; i < last; ++i) {
           stops.fetch_ahead(i);
-          if (i + 16 < order.size()) __builtin_prefetch(&places[order[i + 16].index]);
+          if (i + fetched_ahead < order.size()) __builtin_prefetch(&places[order[i + fetched_ahead].index]);
           order[i].key = i == first || places[order[i].index] != places[order[i - 1].index];
           nodes += order[i].key;
           chains += stops.has_chain_after(order[i].index);

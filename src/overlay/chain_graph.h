@@ -21,6 +21,9 @@ using noding::Winding;
 
 inline constexpr std::uint32_t none = 0xffffffff;
 
+/// How many elements ahead of a walk through chains or stops what they point to is fetched..
+inline constexpr std::uint32_t fetched_ahead = 16;
+
 struct Chain {
   std::uint32_t first;        ///< index of its first vertex in the points
   std::uint32_t last;         ///< index of its last vertex, > first
@@ -51,8 +54,7 @@ struct ChainGraph {
 
   /// For who goes through the chains in order: their points are all over the strands.
   void fetch_points_ahead(std::uint32_t chain) const {
-    constexpr std::uint32_t ahead = 16;
-    if (chain + ahead < chains.size()) __builtin_prefetch(&strands.points[chains[chain + ahead].first]);
+    if (chain + fetched_ahead < chains.size()) __builtin_prefetch(&strands.points[chains[chain + fetched_ahead].first]);
   }
 
   std::size_t node_count() const { return node_vertex.size(); }

@@ -49,6 +49,12 @@ class TraceFinder {
   bool is_selected(const Chain& chain) const { return selection_[chain.merged_into] != none; }
   bool is_trace(std::uint32_t node) const { return (flags_[node] & trace_vertex) != 0; }
 
+  /// Chains are looked at in order, and their vertices are all over the strands.
+  void fetch_flags_ahead(std::size_t chain) const {
+    if (chain + fetched_ahead < graph_.chains.size())
+      __builtin_prefetch(&graph_.strands.flags[graph_.chains[chain + fetched_ahead].first]);
+  }
+
   void flag_touches() {
     resize_in_large_pages(degree_, graph_.node_count());
     for_ranges(graph_.node_count(), elements_a_task, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +73,7 @@ class TraceFinder {
     };
     for_ranges(graph_.first_loop, elements_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
-        if (c + 16 < end) __builtin_prefetch(&graph_.strands.flags[graph_.chains[c + 16].first]);
+        fetch_flags_ahead(c);
         const Chain& chain = graph_.chains[c];
         const bool live = graph_.is_live(chain.merged_into);
         if (live & (degree_[chain.from] == 2) & !added(chain.first)) note(chain.from);
@@ -78,7 +84,7 @@ class TraceFinder {
     for_numbered_ranges(graph_.first_loop, elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
       // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
       for (std::size_t c = begin; c < end; ++c) {
-        if (c + 16 < end) __builtin_prefetch(&graph_.strands.flags[graph_.chains[c + 16].first]);
+        fetch_flags_ahead(c);
         const Chain& after = graph_.chains[c];
         const bool between = after.before != none && added(after.first);
         if (!(between & (degree_[after.from] == 2) & !input_vertex[after.from] & is_selected(after))) continue;
