@@ -11,6 +11,12 @@
 namespace oblast {
 namespace {
 
+/// Without branches: chains come node by node, so each condition is hard to foresee.
+template <class... Bool>
+bool all(Bool... conditions) {
+  return static_cast<bool>((static_cast<int>(conditions) & ...));
+}
+
 /// Finds the trace vertices: places added by noding, no vertex of an edge that still changes a winding
 /// number, where the result has just two pieces of one input edge.
 class TraceFinder {
@@ -66,7 +72,6 @@ class TraceFinder {
   }
 
   void find_sources() {
-    // Conditions are joined without branches: chains come node by node, so each is hard to foresee.
     Array<std::uint8_t> input_vertex(graph_.node_count(), 0);
     const auto note = [&](std::uint32_t node) {
       std::atomic_ref(input_vertex[node]).store(1, std::memory_order_relaxed);
@@ -76,8 +81,8 @@ class TraceFinder {
         fetch_flags_ahead(c);
         const Chain& chain = graph_.chains[c];
         const bool live = graph_.is_live(chain.merged_into);
-        if (live & (degree_[chain.from] == 2) & !added(chain.first)) note(chain.from);
-        if (live & (degree_[chain.to] == 2) & !added(chain.last)) note(chain.to);
+        if (all(live, degree_[chain.from] == 2, !added(chain.first))) note(chain.from);
+        if (all(live, degree_[chain.to] == 2, !added(chain.last))) note(chain.to);
       }
     });
     Array<Array<Source>> found(range_count(graph_.first_loop, elements_a_task));
@@ -87,7 +92,7 @@ class TraceFinder {
         fetch_flags_ahead(c);
         const Chain& after = graph_.chains[c];
         const bool between = after.before != none && added(after.first);
-        if (!(between & (degree_[after.from] == 2) & !input_vertex[after.from] & is_selected(after))) continue;
+        if (!all(between, degree_[after.from] == 2, !input_vertex[after.from], is_selected(after))) continue;
         const Chain& before = graph_.chains[after.before];
         if (!is_selected(before) || before.merged_into == after.merged_into) continue;
         found[i].push_back({after.from, graph_.strands.origin[after.first]});
