@@ -39,9 +39,10 @@ struct Stops {
   }
   std::uint32_t degree(std::uint32_t stop) const { return has_chain_before(stop) + has_chain_after(stop); }
 
-  /// Stops are looked at node by node, so they come from all over the strands.
-  void fetch_ahead(std::size_t i) const {
-    if (i + fetched_ahead < order.size()) __builtin_prefetch(&along[order[i + fetched_ahead].index]);
+  /// Stops are looked at node by node, so they come from all over the strands. Those from `past` on may be in work on
+  /// another thread.
+  void fetch_ahead(std::size_t i, std::size_t past) const {
+    if (i + fetched_ahead < past) __builtin_prefetch(&along[order[i + fetched_ahead].index]);
   }
 };
 
@@ -154,8 +155,8 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
         for (last = first + 1; last < ranges[range + 1].begin && order[last].key == order[first].key; ++last) continue;
         if (last - first > 1) std::sort(order.data() + first, order.data() + last, in_order);
         for (std::size_t i = first; i < last; ++i) {
-          stops.fetch_ahead(i);
-          if (i + fetched_ahead < order.size()) __builtin_prefetch(&places[order[i + fetched_ahead].index]);
+          stops.fetch_ahead(i, ranges[range + 1].begin);
+          if (i + fetched_ahead < ranges[range + 1].begin) __builtin_prefetch(&places[order[i + fetched_ahead].index]);
           order[i].key = i == first || places[order[i].index] != places[order[i - 1].index];
           nodes += order[i].key;
           chains += stops.has_chain_after(order[i].index);
@@ -190,7 +191,7 @@ void number_nodes(std::span<const NodeRange> ranges, Stops& stops, ChainGraph& g
       std::uint32_t next_node = ranges[range].first_node, next_chain = ranges[range].first_chain,
                     list_end = ranges[range].first_list;
       for (std::size_t i = ranges[range].begin; i < ranges[range + 1].begin; ++i) {
-        stops.fetch_ahead(i);
+        stops.fetch_ahead(i, ranges[range + 1].begin);
         const std::uint32_t k = stops.order[i].index;
         Stop& stop = stops.along[k];
         if (stops.order[i].key == 1) graph.node_vertex[next_node++] = stop.vertex;
@@ -230,7 +231,7 @@ Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops
     for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
       list.clear();
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
-        stops.fetch_ahead(i);
+        stops.fetch_ahead(i, stops.order.size());
         const std::uint32_t k = stops.order[i].index;
         const Stop& stop = stops.along[k];
         std::uint32_t chain_before = none;
