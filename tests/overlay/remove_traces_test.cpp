@@ -62,6 +62,14 @@ TEST(RemoveTraces, takesThemOutWhereTheyLeaveTheBoxOfTheStraightEdge) {
   expect_points(remove_traces(rings_of(over, {1}), CollinearVertices::keep), over);
 }
 
+TEST(RemoveTraces, keepsThemWhereTheStraightEdgeWouldPassOverAVertex) {
+  // The small ring lies whole between the edge's pieces and the straight edge: neither would cross it.
+  const std::string text = "0 0, 2 2, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6";
+  const std::string bent = "0 0, 3 1, 4 4, 0 4 | 2.4 2, 2.5 2, 2.5 2.1";
+  expect_points(remove_traces(rings_of(bent, {1}), CollinearVertices::keep), bent);
+  expect_points(remove_traces(rings_of(text, {1}), CollinearVertices::keep), "0 0, 4 4, 0 4 | 2 1.5, 2.1 1.5, 2.1 1.6");
+}
+
 TEST(RemoveTraces, takesThemOutAlthoughAnotherWasInTheWayWhenStraight) {
   // Straight, the two rings' edges meet beside (2.5 2.5).
   const Rings rings = rings_of("0 0, 3 2, 2.5 2.5, 2 3, 1 1.5 | 0 5, 1.5000000000000002 3.5, 2.5 2.5, 4 4", {4, 6});
