@@ -7,7 +7,8 @@
 namespace oblast {
 
 /// Takes restored vertices out one by one, the lexicographically smallest first, until none can go without the rest
-/// of the result being met. Cost: O(n log n + k log k), k restored vertices and pairs of what is near them.
+/// of the result being met. Cost: O(n log n), and for each vertex tried the edges of all stretches near its own: up to
+/// quadratic in the vertices that one input edge got back.
 Rings retry_traces(Rings rings);
 
 }  // namespace oblast
