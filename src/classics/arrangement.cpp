@@ -69,8 +69,7 @@ OwnMeetings find_own_meetings(const std::vector<Ring>& rings) {
   Strands strands;
   append(rings, {1, 0}, noding::any_group, strands);
   const auto locate = [&](std::uint32_t vertex, std::uint32_t& ring, std::uint32_t& at) {
-    ring = static_cast<std::uint32_t>(std::upper_bound(strands.ends.begin(), strands.ends.end(), vertex) -
-                                      strands.ends.begin());
+    ring = static_cast<std::uint32_t>(strands.strand_of(vertex));
     at = vertex - strands.begin(ring);
   };
   const auto cuts = meetings_of(strands);

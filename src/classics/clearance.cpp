@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "classics/box_tree.h"
 #include "classics/far.h"
+#include "noding/box_tree.h"
 
 namespace oblast::classics {
 namespace {
@@ -34,11 +34,14 @@ class ClearanceTest {
         return true;
       });
     }
-    const BoxTree tree(noding::monotone_runs(strands_, noding::Grouping::by_moved));
+    const LargeArray<noding::Run> runs = noding::monotone_runs(strands_, noding::Grouping::by_moved);
+    LargeArray<Box> boxes;
+    for (const noding::Run& run : runs) boxes.push_back(run.box);
+    const noding::BoxTree tree(boxes);
     return each_moved([&](std::uint32_t e, std::uint32_t s, const Box& box) {
-      return tree.each_near(box, [&](const noding::Run& run) {
-        const auto t = static_cast<std::uint32_t>(
-            std::upper_bound(strands_.ends.begin(), strands_.ends.end(), run.first) - strands_.ends.begin());
+      return tree.for_each_near(box, [&](std::uint32_t r) {
+        const noding::Run& run = runs[r];
+        const auto t = static_cast<std::uint32_t>(strands_.strand_of(run.first));
         for (std::uint32_t f = run.first; f < run.last; ++f)
           if (!pair_is_clear(e, s, box, f, t)) return false;
         return true;

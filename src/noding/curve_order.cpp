@@ -200,4 +200,21 @@ class CurveSort {
 
 LargeArray<Keyed> curve_order(std::span<const Point> points) { return CurveSort(points).run(); }
 
+LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
+  constexpr std::size_t boxes_a_task = 8192;
+  LargeArray<Point> middles;
+  resize_in_large_pages(middles, boxes.size());
+  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
+  });
+  const LargeArray<Keyed> keyed = curve_order(middles);
+  LargeArray<std::uint32_t> order;
+  resize_in_large_pages(order, boxes.size());
+  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
+  });
+  return order;
+}
+
 }  // namespace oblast::noding

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "memory/large_pages.h"
+#include "noding/monotone_runs.h"
 
 namespace oblast::noding {
 
@@ -21,5 +22,8 @@ struct Keyed {
 /// two cells. Cost: O(n), for coordinates of like magnitude; each factor of 2^16 in scale between nested clusters adds
 /// one more pass over the inner one.
 LargeArray<Keyed> curve_order(std::span<const Point> points);
+
+/// The indices of the boxes by their middles along the curve.
+LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes);
 
 }  // namespace oblast::noding

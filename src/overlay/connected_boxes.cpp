@@ -22,22 +22,6 @@ constexpr std::size_t looks_by_box = 64;
 /// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
 constexpr std::size_t stack_size = 128;
 
-LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
-  LargeArray<Point> middles;
-  resize_in_large_pages(middles, boxes.size());
-  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
-  });
-  const LargeArray<noding::Keyed> keyed = noding::curve_order(middles);
-  LargeArray<std::uint32_t> order;
-  resize_in_large_pages(order, boxes.size());
-  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
-  });
-  return order;
-}
-
 class Connector {
  public:
   Connector(std::span<const Box> boxes, const LargeArray<std::uint32_t>& order) : order_(order), sets_(boxes.size()) {
@@ -150,7 +134,7 @@ class Connector {
 ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   ConnectedBoxes connected;
   if (boxes.empty()) return connected;
-  connected.order = curve_order(boxes);
+  connected.order = noding::curve_order(boxes);
   Connector connector(boxes, connected.order);
   boxes = LargeArray<Box>();  // it has them along the curve; = {} would keep the memory
   connected.component = connector.run();

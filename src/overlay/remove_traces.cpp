@@ -9,6 +9,8 @@
 // the result alone, promise G2 holds, and no vertex stays that could go.
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
@@ -60,7 +62,18 @@ Straightened straighten(const Rings& rings) {
 class ConflictFinder {
  public:
   ConflictFinder(const Rings& rings, const Straightened& straightened)
-      : rings_(rings), s_(straightened), points_(straightened.strands.points), conflict_(points_.size(), 0) {}
+      : rings_(rings),
+        s_(straightened),
+        points_(straightened.strands.points),
+        detour_of_(points_.size()),
+        conflict_(points_.size(), 0) {
+    for (std::uint32_t e = 0; e < points_.size(); ++e) {
+      if (!is_straightened(e)) continue;
+      detour_of_[e] = static_cast<std::uint32_t>(detours_.size());
+      detours_.push_back(detour(e));
+      conflict_[e] = leaves_box(e);
+    }
+  }
 
   /// By the index of the edge's first vertex in the rings.
   Array<std::uint32_t> run() {
@@ -77,7 +90,7 @@ class ConflictFinder {
     noding::find_pairs(points_, runs(), visit, noding::PairGoal::boxes);
     Array<std::uint32_t> found;
     for (std::uint32_t e = 0; e < conflict_.size(); ++e)
-      if (conflict_[e] || (is_straightened(e) && leaves_box(e))) found.push_back(s_.from[e]);
+      if (conflict_[e]) found.push_back(s_.from[e]);
     return found;
   }
 
@@ -123,8 +136,7 @@ class ConflictFinder {
   template <class Visit>
   void for_each_vertex(std::uint32_t edge, const Visit& visit) const {
     const std::uint32_t from = s_.from[edge], to = s_.from[edge + 1];
-    const auto ring =
-        static_cast<std::size_t>(std::upper_bound(rings_.ends.begin(), rings_.ends.end(), from) - rings_.ends.begin());
+    const std::size_t ring = rings_.ring_of(from);
     std::uint32_t v = from;
     do {
       visit(rings_.points[v]);
@@ -133,8 +145,35 @@ class ConflictFinder {
     visit(rings_.points[to]);
   }
 
-  /// p lies between the straightened edge and the pieces it replaces.
+  /// How far the pieces that a straightened edge replaces go to its left and right, in units of its length.
+  struct Detour {
+    double least, most;
+  };
+
+  double offset(std::uint32_t edge, const Point& p) const {
+    const Point &a = points_[edge], &b = points_[edge + 1];
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  }
+
+  Detour detour(std::uint32_t edge) const {
+    Detour d{0, 0};
+    for_each_vertex(edge, [&](const Point& v) {
+      d.least = std::min(d.least, offset(edge, v));
+      d.most = std::max(d.most, offset(edge, v));
+    });
+    // In the edge's box the offset of a piece's end, and that of the point it is compared with, are off by at most four
+    // epsilons of this product each. Nothing under- or overflows in the domain of coordinates.
+    const Point &a = points_[edge], &b = points_[edge + 1];
+    const double error = 16 * std::numeric_limits<double>::epsilon() * std::fabs((b.x - a.x) * (b.y - a.y));
+    return {d.least - error, d.most + error};
+  }
+
+  /// p lies between the straightened edge and the pieces it replaces. These can be many, so box and detour are asked
+  /// first. REQUIRES: the pieces do not leave the edge's box.
   bool passes_over(std::uint32_t edge, const Point& p) const {
+    const double at = offset(edge, p);
+    const Detour& d = detours_[detour_of_[edge]];
+    if (!box_of(edge).meets(noding::Box::of(p, p)) || at < d.least || at > d.most) return false;
     PointInRing query(p);
     const Point* before = nullptr;
     for_each_vertex(edge, [&](const Point& v) {
@@ -155,13 +194,15 @@ class ConflictFinder {
   const Rings& rings_;
   const Straightened& s_;
   const Array<Point>& points_;
-  Array<std::uint8_t> conflict_;
+  LargeArray<std::uint32_t> detour_of_;  ///< by edge, of those straightened
+  Array<Detour> detours_;
+  Array<std::uint8_t> conflict_;  ///< by edge
 };
 
 /// Gives the trace vertices after `vertex` back, up to the next that stays.
 void restore_after(Rings& rings, std::uint32_t vertex) {
-  const auto ring = std::upper_bound(rings.ends.begin(), rings.ends.end(), vertex) - rings.ends.begin();
-  const std::uint32_t begin = rings.begin(static_cast<std::size_t>(ring)), end = rings.ends[ring];
+  const std::size_t ring = rings.ring_of(vertex);
+  const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
   for (std::uint32_t v = vertex;;) {
     v = v + 1 == end ? begin : v + 1;
     if (!(rings.flags[v] & trace_vertex)) return;

@@ -6,9 +6,9 @@
 
 namespace oblast {
 
-/// Takes restored vertices out one by one, the lexicographically smallest first, until none can go without the rest
-/// of the result being met. Cost: O(n log n), and for each vertex tried the edges of all stretches near its own: up to
-/// quadratic in the vertices that one input edge got back.
+/// Takes restored vertices out one by one until none can go without the rest of the result being met: the one with the
+/// shortest edge in its place first, of equal ones the lexicographically smallest. Cost: O(n log n), where boxes of
+/// edges tell what comes near them.
 Rings retry_traces(Rings rings);
 
 }  // namespace oblast

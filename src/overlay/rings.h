@@ -1,6 +1,7 @@
 // The contours of the result as points, before they are put in canonical order.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +24,9 @@ struct Rings {
 
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
+  std::size_t ring_of(std::uint32_t vertex) const {
+    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), vertex) - ends.begin());
+  }
 };
 
 /// The rings without the vertices for which drop(ring, vertex) says so. Cost: linear.

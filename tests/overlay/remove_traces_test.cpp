@@ -112,6 +112,34 @@ TEST(RemoveTraces, givesBackOnlyWhatIsInTheWay) {
   expect_points(remove_traces(rings, CollinearVertices::keep), "0 0, 4 1, 8 4, 0 8 | 4 1.5, 4 3.5, 3 3.5");
 }
 
+TEST(RemoveTraces, takesManyOutOfOneEdgeAlthoughOneMustStay) {
+  // A long slanting edge with very many traces, a tip that reaches across it at one of them, and many rings in its box.
+  // Were each trace tried against all the others, or each ring against all traces, this would take an hour.
+  constexpr std::uint32_t n = 1 << 19, middle = n / 2 + 1;
+  const auto trace = [](std::uint32_t i) { return Point{i / 1.0, i / 3.0 - (i % 2 == 1 ? 0.25 : 0)}; };
+  Rings rings, expected;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    rings.points.push_back(trace(i));
+    rings.flags.push_back(i == 0 || i == n ? 0 : trace_vertex);
+  }
+  expected.points.insert(expected.points.end(), {trace(0), trace(middle), trace(n)});
+  const auto add = [&](const std::vector<Point>& points) {
+    for (Rings* to : {&rings, &expected}) {
+      to->points.insert(to->points.end(), points.begin(), points.end());
+      to->ends.push_back(static_cast<std::uint32_t>(to->points.size()));
+    }
+  };
+  add({{0, n}});
+  const double x = middle, y = middle / 3.0;
+  add({{x, y - 0.125}, {x, y + 3}, {x - 1, y + 3}});
+  for (int i = 10; i < static_cast<int>(n); i += 10)
+    add({{i + 0.5, i / 3.0 - 2}, {i + 1.0, i / 3.0 - 3}, {i + 1.0, i / 3.0 - 2}});
+  rings.flags.resize(rings.points.size(), 0);
+  const Rings result = remove_traces(rings, CollinearVertices::keep);
+  EXPECT_EQ(result.points, expected.points);
+  EXPECT_EQ(result.ends, expected.ends);
+}
+
 TEST(RemoveTraces, dropsCollinearVerticesWhenTold) {
   const Rings rings = rings_of("0 0, 1 0, 2 0, 4 0, 4 4, 0 4", {});
   expect_points(remove_traces(rings, CollinearVertices::drop), "0 0, 4 0, 4 4, 0 4");
