@@ -12,11 +12,8 @@
 #include <utility>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 #include "memory/call_memory.h"
+#include "memory/pages.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast {
@@ -48,8 +45,6 @@ class UninitializedAllocator : public CallAllocator<T> {
 template <class T>
 using LargeArray = std::vector<T, UninitializedAllocator<T>>;
 
-inline constexpr std::size_t large_page = std::size_t{2} << 20;
-
 /// Reserves `count` elements in large pages where the system has them.
 template <class T, class Allocator>
 void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count) {
@@ -62,12 +57,8 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
     return;
   }
   items.reserve(count);
-#ifdef __linux__
-  constexpr std::uintptr_t page = large_page;
-  const auto begin = reinterpret_cast<std::uintptr_t>(items.data());
-  const std::uintptr_t first = (begin + page - 1) / page * page, last = (begin + count * sizeof(T)) / page * page;
-  if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - begin), last - first, MADV_HUGEPAGE);
-#endif
+  char* const begin = reinterpret_cast<char*>(items.data());
+  ask_for_large_pages(begin, begin + count * sizeof(T));
 }
 
 /// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
@@ -91,14 +82,9 @@ void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
 
 /// Gives the pages past the last element back to the system; the capacity stays.
 template <class T, class Allocator>
-void release_unused_pages([[maybe_unused]] std::vector<T, Allocator>& items) {
-#ifdef __linux__
-  constexpr std::uintptr_t page = large_page;
-  const auto data = reinterpret_cast<std::uintptr_t>(items.data());
-  const std::uintptr_t first = (data + items.size() * sizeof(T) + page - 1) / page * page,
-                       last = (data + items.capacity() * sizeof(T)) / page * page;
-  if (first < last) madvise(reinterpret_cast<char*>(items.data()) + (first - data), last - first, MADV_DONTNEED);
-#endif
+void release_unused_pages(std::vector<T, Allocator>& items) {
+  char* const begin = reinterpret_cast<char*>(items.data());
+  release_pages(begin + items.size() * sizeof(T), begin + items.capacity() * sizeof(T));
 }
 
 }  // namespace oblast

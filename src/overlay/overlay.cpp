@@ -33,7 +33,9 @@ void on_threads(const Options& options, std::size_t vertices, const Work& work) 
     work();
   };
   if (options.threads == 0) {
-    large_call();
+    // A thread that waits for others of this call makes no other call's arrays meanwhile: they would be blocks of this
+    // call's workspace, and might outlive it.
+    tbb::this_task_arena::isolate(large_call);
   } else {
     tbb::task_arena arena(options.threads);
     arena.execute(large_call);
