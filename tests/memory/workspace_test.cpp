@@ -83,16 +83,6 @@ TEST(Workspace, oneAThread) {
   });
 }
 
-// A thread that waits in one call must not make arrays of another one in its workspace, which ends first.
-TEST(Workspace, oneACallOnAllCores) {
-  const generators::Operands operands = generators::coverages(5, 20000);
-  const RegionSet expected = overlay_in(nullptr, operands);
-  tbb::parallel_for(0, 40, [&](int) {
-    Workspace workspace;
-    EXPECT_EQ(overlay_in(&workspace, operands, 0), expected);
-  });
-}
-
 TEST(KeptBlocks, longArraysComeBackToTheirOwner) {
   KeptBlocks blocks(std::size_t{4} << 20);
   const void* place = nullptr;
