@@ -145,7 +145,7 @@ class ConflictFinder {
     visit(rings_.points[to]);
   }
 
-  /// How far the pieces that a straightened edge replaces go to its left and right, in units of its length.
+  /// How far the pieces that a straightened edge replaces go to its right (negative) and left, times its length.
   struct Detour {
     double least, most;
   };
