@@ -71,7 +71,7 @@ class ConflictFinder {
       if (!is_straightened(e)) continue;
       detour_of_[e] = static_cast<std::uint32_t>(detours_.size());
       detours_.push_back(detour(e));
-      conflict_[e] = leaves_box(e);
+      conflict_[e] = detours_.back().leaves_box;
     }
   }
 
@@ -148,6 +148,7 @@ class ConflictFinder {
   /// How far the pieces that a straightened edge replaces go to its right (negative) and left, times its length.
   struct Detour {
     double least, most;
+    bool leaves_box;  ///< of the edge, by which the pieces are looked for: so they must not
   };
 
   double offset(std::uint32_t edge, const Point& p) const {
@@ -156,16 +157,21 @@ class ConflictFinder {
   }
 
   Detour detour(std::uint32_t edge) const {
-    Detour d{0, 0};
+    Detour d{0, 0, false};
+    const noding::Box box = box_of(edge);
     for_each_vertex(edge, [&](const Point& v) {
-      d.least = std::min(d.least, offset(edge, v));
-      d.most = std::max(d.most, offset(edge, v));
+      const double at = offset(edge, v);
+      d.least = std::min(d.least, at);
+      d.most = std::max(d.most, at);
+      d.leaves_box |= !box.meets(noding::Box::of(v, v));
     });
     // In the edge's box the offset of a piece's end, and that of the point it is compared with, are off by at most four
     // epsilons of this product each. Nothing under- or overflows in the domain of coordinates.
     const Point &a = points_[edge], &b = points_[edge + 1];
     const double error = 16 * std::numeric_limits<double>::epsilon() * std::fabs((b.x - a.x) * (b.y - a.y));
-    return {d.least - error, d.most + error};
+    d.least -= error;
+    d.most += error;
+    return d;
   }
 
   /// p lies between the straightened edge and the pieces it replaces. These can be many, so box and detour are asked
@@ -182,13 +188,6 @@ class ConflictFinder {
     });
     query.add_edge(points_[edge + 1], points_[edge]);
     return query.is_inside();
-  }
-
-  /// The pieces are looked for by the box of the edge, so they must not leave it.
-  bool leaves_box(std::uint32_t edge) const {
-    bool leaves = false;
-    for_each_vertex(edge, [&](const Point& v) { leaves |= !box_of(edge).meets(noding::Box::of(v, v)); });
-    return leaves;
   }
 
   const Rings& rings_;
