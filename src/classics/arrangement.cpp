@@ -38,8 +38,7 @@ void flag_ends(Strands& strands) {
 }
 
 LargeArray<noding::EdgeCut> meetings_of(Strands& strands) {
-  const auto runs = noding::monotone_runs(strands, noding::Grouping::by_strand);
-  return noding::find_meetings(strands, runs, {});
+  return noding::find_meetings(strands, noding::Grouping::by_strand, {});
 }
 
 /// Flags for is_clear(): added are the rounded crossings only, moved the pieces that end at one. A cut is not a

@@ -119,8 +119,6 @@ class MeetingTest {
   /// each that reach into the box of the other: usually few.
   void test_runs(const RunPair& pair) {
     static_assert(longest_run <= 32);
-    if (pair.last_p == pair.first_q && passes_on(pair.last_p)) return;
-    if (pair.last_q == pair.first_p && passes_on(pair.last_q)) return;
     const bool one_p = pair.last_p - pair.first_p == 1, one_q = pair.last_q - pair.first_q == 1;
     if (one_p && one_q) {
       test_edges(pair.first_p, pair.first_q);
@@ -144,17 +142,6 @@ class MeetingTest {
  private:
   /// Of a run between two vertices.
   Box box_of(std::uint32_t first, std::uint32_t last) const { return Box::of(points_[first], points_[last]); }
-
-  /// Whether a strand, between two runs, gets on in x or in y: then they lie on either side of the vertex, and meet
-  /// nowhere else. Most runs that follow one another do.
-  bool passes_on(std::uint32_t vertex) const {
-    const double margin = clearance_ ? distance_ : 0;
-    const Point &before = points_[vertex - 1], &at = points_[vertex], &after = points_[vertex + 1];
-    const auto gets_on = [&](double u, double v, double w) {
-      return std::min(u, w) < v - margin && std::max(u, w) > v + margin;
-    };
-    return gets_on(before.x, at.x, after.x) || gets_on(before.y, at.y, after.y);
-  }
 
   //        d                 a, b: ends of edge i;  c, d: ends of edge j
   //   a ---+--- b            +: the meeting
@@ -507,9 +494,10 @@ class Arrangement {
 
 }  // namespace
 
-LargeArray<EdgeCut> find_meetings(Strands& strands, LargeArray<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
                                   const std::function<void()>& checkpoint, Clearance* clearance,
                                   Array<std::uint32_t>* tangled) {
+  LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->distance() : 0);
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
   std::optional<tbb::enumerable_thread_specific<Found>> by_thread;

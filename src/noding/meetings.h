@@ -47,10 +47,10 @@ struct Settling {
 /// the vertex that lies there, if any, flagged. The cuts come sorted by edge and along it, each once: a
 /// function of the set of edges alone.
 /// Edges that may meet others anew once they are cut are flagged near_flag: with a `clearance` those that do not keep
-/// clear (REQUIRES: all runs of any_group, a first round), else all that are cut.
+/// clear (REQUIRES: Grouping::none), else all that are cut.
 /// With `tangled`, strands assumed to be simple that are not are put there, sorted; there are no cuts then.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
-LargeArray<EdgeCut> find_meetings(Strands& strands, LargeArray<Run> runs, Settling settling,
+LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
                                   Array<std::uint32_t>* tangled = nullptr);
 

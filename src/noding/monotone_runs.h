@@ -10,6 +10,10 @@
 #include "memory/large_pages.h"
 #include "noding/strands.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace oblast::noding {
 
 struct Box {
@@ -22,6 +26,7 @@ struct Box {
     return {std::min(x0, o.x0), std::min(y0, o.y0), std::max(x1, o.x1), std::max(y1, o.y1)};
   }
   Box joined(const Point& p) const { return joined(of(p, p)); }
+  Box widened(double margin) const { return {x0 - margin, y0 - margin, x1 + margin, y1 + margin}; }
   /// Without a branch: the outcome is hard to foresee.
   bool meets(const Box& o) const {
     return static_cast<bool>(static_cast<int>(x0 <= o.x1) & static_cast<int>(o.x0 <= x1) &
@@ -29,10 +34,15 @@ struct Box {
   }
 };
 
-/// Where an edge points: right, left, up, down, a bit each.
+/// Where an edge points: right, up, left, down, a bit each.
 inline unsigned heading(const Point& p, const Point& q) {
-  return static_cast<unsigned>(q.x > p.x) | static_cast<unsigned>(q.x < p.x) << 1 |
-         static_cast<unsigned>(q.y > p.y) << 2 | static_cast<unsigned>(q.y < p.y) << 3;
+#ifdef __SSE2__
+  const __m128d from = _mm_loadu_pd(&p.x), to = _mm_loadu_pd(&q.x);
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(to, from)) | _mm_movemask_pd(_mm_cmplt_pd(to, from)) << 2);
+#else
+  return static_cast<unsigned>(q.x > p.x) | static_cast<unsigned>(q.y > p.y) << 1 |
+         static_cast<unsigned>(q.x < p.x) << 2 | static_cast<unsigned>(q.y < p.y) << 3;
+#endif
 }
 
 /// Edges of a run at most: long ones have boxes that say little, short ones are many. Sixteen measured best.
@@ -43,6 +53,9 @@ struct Run {
   std::uint32_t first;  ///< first edge
   std::uint32_t last;   ///< past the last edge, which is also the index of the last vertex
   Group group;
+  /// Its strand gets on, in x or in y, from the edge before to its first: the run meets the one before, then, nowhere
+  /// but in the vertex between them.
+  bool gets_on = false;
 };
 
 /// Which groups the runs of a round get.
@@ -52,7 +65,7 @@ enum class Grouping {
   by_moved,   ///< later rounds: pieces made by the last round may meet anything, all others are settled
 };
 
-/// Cost: linear.
-LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping);
+/// A strand gets on where it does so by more than `margin` on either side of the vertex. Cost: linear.
+LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, double margin = 0);
 
 }  // namespace oblast::noding

@@ -69,9 +69,8 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
     ++report.rounds;
     std::optional<Clearance> clearance;
     if (grouping == Grouping::none) clearance.emplace(strands);
-    const LargeArray<EdgeCut> cuts =
-        find_meetings(strands, monotone_runs(strands, grouping), Settling::of_round(report.rounds), checkpoint,
-                      clearance ? &*clearance : nullptr, tangled);
+    const LargeArray<EdgeCut> cuts = find_meetings(strands, grouping, Settling::of_round(report.rounds), checkpoint,
+                                                   clearance ? &*clearance : nullptr, tangled);
     if (!report.tangled.empty()) return strands;
     tangled = nullptr;
     report.cuts += cuts.size();

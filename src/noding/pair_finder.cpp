@@ -9,12 +9,13 @@
 
 #include "memory/large_pages.h"
 #include "noding/cell_cut.h"
+#include "noding/coarse_boxes.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
 
-// A sweep over so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
+// To compare so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
 // cut further.
 constexpr std::size_t leaf_size = runs_of_one_cell;
 constexpr std::size_t clipped_leaf_size = 128;
@@ -53,12 +54,22 @@ class PairBatch {
  public:
   explicit PairBatch(const PairVisitor& visit) : visit_(visit) {}
 
-  /// `meets` is 1 or 0, and hard to foresee: so there is no branch.
+  /// `meets`, of their boxes, is 1 or 0, and hard to foresee as all that is asked here: so there is no branch.
   void add_if(int meets, const Entry& p, const Entry& q) {
     pairs_[count_] = {p.first, p.last, q.first, q.last};
-    count_ += static_cast<std::size_t>(meets &
-                                       (static_cast<int>(p.group != q.group) | static_cast<int>(p.group == any_group)));
+    const int may_meet = static_cast<int>(p.group != q.group) | static_cast<int>(p.group == any_group);
+    const int follow = (static_cast<int>(p.last == q.first) & static_cast<int>(q.gets_on)) |
+                       (static_cast<int>(q.last == p.first) & static_cast<int>(p.gets_on));
+    count_ += static_cast<std::size_t>(meets & may_meet & (follow ^ 1));
     if (count_ == pairs_.size()) visit();
+  }
+  /// Every two whose boxes come within the margin of each other.
+  void add_all(std::span<const Entry> entries, double margin) {
+    boxes_.assign(entries, margin);
+    boxes_.for_each_pair([&](std::size_t i, std::size_t j) {
+      const Entry &p = entries[i], &q = entries[j];
+      add_if(static_cast<int>(p.box.widened(margin).meets(q.box)), p, q);
+    });
   }
   void visit() {
     if (count_ > 0) visit_(std::span(pairs_).first(count_));
@@ -67,6 +78,7 @@ class PairBatch {
 
  private:
   const PairVisitor& visit_;
+  CoarseBoxes boxes_;
   std::size_t count_ = 0;
   std::array<RunPair, 256> pairs_;  // not written before it is used
 };
@@ -79,7 +91,7 @@ class Finder {
   void run(LargeArray<Run> runs) {
     if (runs.size() <= leaf_size) {
       PairBatch batch(visit_);
-      if (!one_group(runs)) test_all(runs, batch);
+      if (!one_group(runs)) batch.add_all(runs, nearness_.margin);
       batch.visit();
       return;
     }
@@ -131,7 +143,8 @@ class Finder {
     entries.resize(begin);
     for (const Entry& run : runs) {
       for (std::uint32_t e = run.first; e < run.last; ++e) {
-        Entry edge{Box::of(points_[e], points_[e + 1]), e, e + 1, run.group};
+        // Within a run an edge meets none but in the vertex between them.
+        Entry edge{Box::of(points_[e], points_[e + 1]), e, e + 1, run.group, e > run.first || run.gets_on};
         if (clip_to(cell, edge)) entries.push_back(edge);
       }
     }
@@ -207,7 +220,7 @@ class Finder {
       }
       const CellCut cut = choose_cut(entries, task.begin, task.cell, batch);
       if (cut.growth == infinity) {
-        test_all(tail(entries, task.begin), batch);
+        batch.add_all(tail(entries, task.begin), nearness_.margin);
         entries.resize(task.begin);
         continue;
       }
@@ -273,39 +286,6 @@ class Finder {
     }
     entries.resize(begin + staying);
     return true;
-  }
-
-  /// Tests every pair of a cell by a sweep along the axis on which the boxes spread more: of each box only those that
-  /// begin before its end need a look.
-  void test_all(std::span<Entry> entries, PairBatch& batch) const {
-    double x_low = infinity, x_high = -infinity, y_low = infinity, y_high = -infinity, x_sum = 0, y_sum = 0;
-    for (const Entry& e : entries) {
-      x_low = std::min(x_low, e.box.x0);
-      x_high = std::max(x_high, e.box.x1);
-      y_low = std::min(y_low, e.box.y0);
-      y_high = std::max(y_high, e.box.y1);
-      x_sum += e.box.x1 - e.box.x0;
-      y_sum += e.box.y1 - e.box.y0;
-    }
-    if (x_sum * (y_high - y_low) <= y_sum * (x_high - x_low))
-      sweep<&Box::x0, &Box::x1, &Box::y0, &Box::y1>(entries, batch);
-    else
-      sweep<&Box::y0, &Box::y1, &Box::x0, &Box::x1>(entries, batch);
-  }
-
-  template <double Box::*begin, double Box::*end, double Box::*low, double Box::*high>
-  void sweep(std::span<Entry> entries, PairBatch& batch) const {
-    const double margin = nearness_.margin;
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& p, const Entry& q) { return p.box.*begin < q.box.*begin; });
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const Entry& p = entries[i];
-      const double reach = p.box.*end + margin, lowest = p.box.*low - margin, highest = p.box.*high + margin;
-      for (std::size_t j = i + 1; j < entries.size() && entries[j].box.*begin <= reach; ++j) {
-        const Box& q = entries[j].box;
-        batch.add_if(static_cast<int>(q.*high >= lowest) & static_cast<int>(q.*low <= highest), p, entries[j]);
-      }
-    }
   }
 
   std::span<const Point> points_;

@@ -1,10 +1,10 @@
 // Finding all pairs of runs whose boxes meet: a recursive split of the plane.
 //
 // A cell of the plane with the boxes that touch it is cut at the median of a sample, on the axis that
-// leaves fewer boxes on both sides, until a few hundred are left; then a sweep finds the pairs. A box that
-// straddles the cut goes to both halves, so a pair may be found more than once. A cell all of whose boxes are of
-// one group (strands.h) is dropped at once: this is what makes later rounds, which look only for what
-// the moved pieces can reach, and pairs of large polygons that seldom meet, cheap.
+// leaves fewer boxes on both sides, until a few hundred are left; those are compared all with all (coarse_boxes.h). A
+// box that straddles the cut goes to both halves, so a pair may be found more than once. A cell all of whose boxes are
+// of one group (strands.h) is dropped at once: this is what makes later rounds, which look only for what the moved
+// pieces can reach, and pairs of large polygons that seldom meet, cheap.
 //
 // Where too many boxes straddle (long slanting edges, bundles, fans) boxes say too little. There the search
 // goes on with single edges, clipped to the cell, and a cut may also follow the line of one of the
@@ -50,10 +50,10 @@ struct Nearness {
 };
 
 /// Visits, for every two edges of different runs that meet, a pair of runs that holds them, once or more often,
-/// except where both are of one group other than any_group. Two edges that meet only in a common end need not be
-/// visited where both meet a third one there, which is visited with each. Edge i is (points[i], points[i + 1]). Cost:
-/// O((n + k) log n) expected, for k pairs. Memory O(n). The runs are taken over: they are many, and rearranged as the
-/// search goes.
+/// except where both are of one group other than any_group, or one run gets on from the other (monotone_runs.h). Two
+/// edges that meet only in a common end need not be visited where both meet a third one there, which is visited with
+/// each. Edge i is (points[i], points[i + 1]). Cost: O((n + k) log n) expected, for k pairs. Memory O(n). The runs are
+/// taken over: they are many, and rearranged as the search goes.
 void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit,
                 PairGoal goal = PairGoal::meetings, const Nearness& nearness = {});
 

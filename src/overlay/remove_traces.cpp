@@ -103,7 +103,7 @@ class ConflictFinder {
     LargeArray<noding::Run> single;
     for (const noding::Run& run : noding::monotone_runs(s_.strands, noding::Grouping::by_moved)) {
       if (run.group != noding::any_group) {
-        single.push_back(run);
+        single.push_back({run.box, run.first, run.last, run.group});
         continue;
       }
       for (std::uint32_t e = run.first; e < run.last; ++e) single.push_back({box_of(e), e, e + 1, run.group});

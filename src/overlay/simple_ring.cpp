@@ -23,8 +23,7 @@ bool is_tangled_anyhow(std::span<const Point> closed_ring) {
   strand.close_strand({}, noding::any_group);
   strand.flags.assign(strand.points.size(), 0);
   strand.flags.front() = strand.flags.back() = noding::closed_flag;
-  auto runs = noding::monotone_runs(strand, noding::Grouping::by_strand);
-  if (!noding::find_meetings(strand, std::move(runs), {}).empty()) return true;
+  if (!noding::find_meetings(strand, noding::Grouping::by_strand, {}).empty()) return true;
   return std::any_of(strand.flags.begin(), strand.flags.end(),
                      [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
 }

@@ -30,15 +30,15 @@ Looked look(Strands strands) {
   for (std::size_t s = 0; s < strands.size(); ++s)
     strands.flags[strands.begin(s)] = strands.flags[strands.ends[s] - 1] = closed_flag;
   Clearance clearance(strands);
-  const auto cuts = find_meetings(strands, monotone_runs(strands, Grouping::none), {}, {}, &clearance);
+  const auto cuts = find_meetings(strands, Grouping::none, {}, {}, &clearance);
   looked.cuts = cuts.size();
   for (const std::uint8_t f : strands.flags) looked.near += (f & near_flag) != 0;
   Strands pieces = strands;
   insert_cuts(pieces, cuts);
   Strands all = pieces;
-  looked.later = find_meetings(all, monotone_runs(all, Grouping::none), {}).size();
+  looked.later = find_meetings(all, Grouping::none, {}).size();
   Strands flagged = pieces;
-  const auto found = find_meetings(flagged, monotone_runs(flagged, Grouping::by_moved), {}).size();
+  const auto found = find_meetings(flagged, Grouping::by_moved, {}).size();
   looked.missed = found != looked.later;
   return looked;
 }

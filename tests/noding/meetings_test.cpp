@@ -19,7 +19,7 @@ using testing::Path;
 using testing::strands_of;
 
 LargeArray<EdgeCut> meetings(Strands& strands, Settling settling = {}) {
-  return find_meetings(strands, monotone_runs(strands, Grouping::by_strand), settling);
+  return find_meetings(strands, Grouping::by_strand, settling);
 }
 
 bool is_node(const Strands& strands, std::uint32_t v) { return (strands.flags[v] & node_flag) != 0; }
@@ -200,7 +200,7 @@ TEST(Meetings, laterRoundsSettleAtAVertexThatIsNear) {
 TEST(Meetings, aThrowingCheckpointEndsTheSearch) {
   Strands strands = strands_of({{{0, 0}, {4, 0}}, {{2, -1}, {2, 1}}});
   struct Stop {};
-  EXPECT_THROW(find_meetings(strands, monotone_runs(strands, Grouping::by_strand), {}, [] { throw Stop{}; }), Stop);
+  EXPECT_THROW(find_meetings(strands, Grouping::by_strand, {}, [] { throw Stop{}; }), Stop);
 }
 
 }  // namespace

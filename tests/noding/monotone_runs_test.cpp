@@ -74,6 +74,23 @@ TEST(MonotoneRuns, areMaximal) {
   EXPECT_EQ(runs[2].last, 6u);
 }
 
+TEST(MonotoneRuns, sayWhereTheirStrandGetsOn) {
+  // At (2, 1) on to the right, at (3, 0) back from above and from the right, at (1, -1) on downwards.
+  const Strands strands = strands_of({{{0, 0}, {2, 1}, {3, 0}, {1, -1}, {2, -2}}});
+  const auto runs = monotone_runs(strands, Grouping::by_strand);
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_FALSE(runs[0].gets_on);  // where the strand begins
+  EXPECT_TRUE(runs[1].gets_on);
+  EXPECT_TRUE(runs[2].gets_on);
+  EXPECT_TRUE(runs[3].gets_on);
+  // Not by more than 1 on either side.
+  const auto by_margin = monotone_runs(strands, Grouping::by_strand, 1);
+  for (const noding::Run& run : by_margin) EXPECT_FALSE(run.gets_on) << run.first;
+  const auto folded = monotone_runs(strands_of({{{0, 0}, {2, 2}, {1, 1}}}), Grouping::by_strand);
+  ASSERT_EQ(folded.size(), 2u);
+  EXPECT_FALSE(folded[1].gets_on);
+}
+
 TEST(MonotoneRuns, takeTheGroupOfTheirStrand) {
   Strands strands = strands_of({{{0, 0}, {1, 1}}, {{2, 0}, {3, 1}}});
   strands.group = {7, 9};

@@ -56,7 +56,7 @@ int check_rounds(Strands strands, const std::string& name) {
     std::optional<Clearance> clearance;
     if (first) clearance.emplace(strands);
     const auto cuts =
-        find_meetings(strands, monotone_runs(strands, first ? Grouping::none : Grouping::by_moved),
+        find_meetings(strands, first ? Grouping::none : Grouping::by_moved,
                       Settling::of_round(static_cast<std::uint64_t>(number)), {}, clearance ? &*clearance : nullptr);
     if (cuts.empty()) return number;
     const Round round(strands);
