@@ -57,6 +57,7 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
     return;
   }
   items.reserve(count);
+  if (count * sizeof(T) < large_page) return;
   char* const begin = reinterpret_cast<char*>(items.data());
   ask_for_large_pages(begin, begin + count * sizeof(T));
 }
@@ -64,6 +65,10 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
 /// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
 void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
+  if (count * sizeof(T) < large_page) {
+    items.resize(count, value);
+    return;
+  }
   if (items.capacity() < count) reserve_in_large_pages(items, count);
   constexpr std::size_t pages_a_task = 2;
   if (items.size() < count) {

@@ -9,6 +9,8 @@
 #include "overlay/chain_graph.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
@@ -80,37 +82,45 @@ class StopFinder {
 
   bool is_node(std::uint32_t v) const { return (strands_.flags[v] & noding::node_flag) != 0; }
 
-  /// Calls stop(strand, vertex) for what of nodes is in [begin, end), and loop(strand) for contours without nodes that
-  /// begin there.
-  template <class Visit, class VisitLoop>
-  void walk(std::size_t begin, std::size_t end, const Visit& stop, const VisitLoop& loop) const {
+  /// Calls visit(strand, first, past) for the vertices of each strand that are in [begin, end).
+  template <class Visit>
+  void for_each_strand(std::size_t begin, std::size_t end, const Visit& visit) const {
     auto v = static_cast<std::uint32_t>(begin);
     for (std::size_t s = strands_.strand_of(v); v < end; ++s) {
-      const std::uint32_t first = strands_.begin(s);
       const auto past = static_cast<std::uint32_t>(std::min<std::size_t>(strands_.ends[s], end));
-      if (!is_node(first)) {
-        if (v == first) loop(s);
-        v = past;
-      }
-      for (; v < past; ++v)
-        if (is_node(v)) stop(s, v);
+      visit(s, v, past);
+      v = past;
     }
   }
 
   Range counted(std::size_t begin, std::size_t end) const {
     Range range;
-    walk(
-        begin, end, [&](std::size_t, std::uint32_t) { ++range.stops; }, [&](std::size_t) { ++range.loops; });
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) range.stops += is_node(v);
+    for_each_strand(begin, end, [&](std::size_t s, std::uint32_t first, std::uint32_t) {
+      range.loops += first == strands_.begin(s) && !is_node(first);
+    });
     return range;
   }
 
+  /// Where nodes are is hard to foresee, so a block of vertices is sorted out first, without branches.
   void write(std::size_t begin, std::size_t end, Range before, Stops& stops) const {
-    walk(
-        begin, end,
-        [&](std::size_t s, std::uint32_t v) {
-          stops.along[before.stops++] = {v, static_cast<std::uint32_t>(s), none, none};
-        },
-        [&](std::size_t s) { stops.loops[before.loops++] = static_cast<std::uint32_t>(s); });
+    constexpr std::uint32_t vertices_a_block = 128;
+    std::array<std::uint32_t, vertices_a_block> nodes;
+    for_each_strand(begin, end, [&](std::size_t s, std::uint32_t v, std::uint32_t past) {
+      if (!is_node(strands_.begin(s))) {
+        if (v == strands_.begin(s)) stops.loops[before.loops++] = static_cast<std::uint32_t>(s);
+        return;
+      }
+      while (v < past) {
+        std::size_t count = 0;
+        for (const std::uint32_t block_end = std::min(v + vertices_a_block, past); v < block_end; ++v) {
+          nodes[count] = v;
+          count += is_node(v);
+        }
+        for (std::size_t i = 0; i < count; ++i)
+          stops.along[before.stops++] = {nodes[i], static_cast<std::uint32_t>(s), none, none};
+      }
+    });
   }
 
   const Strands& strands_;
@@ -216,6 +226,29 @@ void sort_by_angle(const Point& x, Array<Aimed>& list) {
   std::sort(list.begin(), list.end(), [&](const Aimed& p, const Aimed& q) { return angularly_less(x, p.at, q.at); });
 }
 
+/// Puts the descriptors from x in order, without branches, by how many come before each. False where directions are too
+/// near each other for that, or too many.
+bool place_by_angle(const Point& x, const Array<Aimed>& list, std::span<Descriptor> places) {
+  constexpr std::size_t most = 8;
+  if (list.size() > most) return false;
+  std::array<double, most> angles;
+  std::array<std::uint32_t, most> before;
+  bool clear = true;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    angles[i] = rough_angle(x, list[i].at);
+    before[i] = 0;
+    for (std::size_t j = 0; j < i; ++j) {
+      const double ahead = angles[i] - angles[j];
+      clear = static_cast<int>(clear) & static_cast<int>(std::fabs(ahead) > rough_angle_error);
+      before[i] += ahead > 0;
+      before[j] += ahead < 0;
+    }
+  }
+  if (!clear) return false;
+  for (std::size_t i = 0; i < list.size(); ++i) places[before[i]] = list[i].descriptor;
+  return true;
+}
+
 /// Descriptors [first, last) in `lists` of one direction from a node.
 struct Coincident {
   std::uint32_t first, last;
@@ -232,6 +265,8 @@ Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops
       list.clear();
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
         stops.fetch_ahead(i, stops.order.size());
+        if (i + fetched_ahead / 2 < stops.order.size())
+          __builtin_prefetch(&graph.point(stops.along[stops.order[i + fetched_ahead / 2].index].vertex));
         const std::uint32_t k = stops.order[i].index;
         const Stop& stop = stops.along[k];
         std::uint32_t chain_before = none;
@@ -246,8 +281,10 @@ Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops
         graph.chains[stop.chain] = {
             stop.vertex, next.vertex, node, next.node, chain_before, stop.chain, graph.strands.change[stop.strand]};
       }
-      sort_by_angle(graph.point(graph.node_vertex[node]), list);
+      const Point& at = graph.point(graph.node_vertex[node]);
       const std::uint32_t place = node == 0 ? 0 : graph.list_ends[node - 1];
+      if (place_by_angle(at, list, std::span(graph.lists).subspan(place, list.size()))) continue;
+      sort_by_angle(at, list);
       for (std::uint32_t i = 0; i < list.size(); ++i) graph.lists[place + i] = list[i].descriptor;
       for (std::uint32_t first = 0, last; first < list.size(); first = last) {
         for (last = first + 1; last < list.size() && list[last].at == list[first].at; ++last) continue;

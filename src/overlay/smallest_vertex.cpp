@@ -1,5 +1,7 @@
 #include "overlay/smallest_vertex.h"
 
+#include <algorithm>
+
 #include "memory/call_memory.h"
 #include "parallel/for_ranges.h"
 
@@ -7,11 +9,17 @@ namespace oblast {
 namespace {
 
 SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t begin, std::size_t end) {
-  SmallestVertex smallest{static_cast<std::uint32_t>(begin), false};
-  for (auto v = static_cast<std::uint32_t>(begin + 1); v < end; ++v) {
-    if (lexicographically_less(ring[v], ring[smallest.vertex]))
+  // First the smallest x, without branches; few vertices have it.
+  double x = ring[begin].x;
+  for (std::size_t v = begin + 1; v < end; ++v) x = std::min(x, ring[v].x);
+  auto v = static_cast<std::uint32_t>(begin);
+  while (ring[v].x != x) ++v;
+  SmallestVertex smallest{v, false};
+  for (++v; v < end; ++v) {
+    if (ring[v].x != x) continue;
+    if (ring[v].y < ring[smallest.vertex].y)
       smallest = {v, false};
-    else if (ring[v] == ring[smallest.vertex])
+    else if (ring[v].y == ring[smallest.vertex].y)
       smallest.repeated = true;
   }
   return smallest;

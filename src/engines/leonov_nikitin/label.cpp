@@ -18,6 +18,7 @@
 #include "memory/large_pages.h"
 #include "overlay/enclosing_boxes.h"
 #include "overlay/locate_below.h"
+#include "overlay/smallest_vertex.h"
 #include "parallel/for_ranges.h"
 
 namespace oblast::leonov_nikitin {
@@ -38,11 +39,6 @@ Box box_of(const Array<Point>& points, const Chain& chain) {
   return box;
 }
 
-std::uint32_t smallest_of(const Array<Point>& points, const Chain& chain) {
-  const auto first = points.begin() + chain.first, past = points.begin() + chain.last + 1;
-  return chain.first + static_cast<std::uint32_t>(std::min_element(first, past, lexicographically_less) - first);
-}
-
 class Labelling {
  public:
   explicit Labelling(const ChainGraph& graph) : graph_(graph) {}
@@ -60,7 +56,6 @@ class Labelling {
   struct Part {
     std::uint32_t component;  ///< none for a contour that meets nothing
     std::uint32_t chain;      ///< a chain that the smallest vertex is on
-    std::uint32_t smallest;   ///< that vertex
     Box box;
   };
 
@@ -86,33 +81,37 @@ class Labelling {
       const Chain& chain = graph_.chains[c];
       const Box box = box_of(graph_.strands.points, chain);
       const std::uint32_t component = component_of_[c] = chain.is_loop() ? none : labels.component[chain.from];
-      const auto smallest = [&] { return smallest_of(graph_.strands.points, chain); };
       if (component == none || parts.empty() || parts.back().component != component) {
-        parts.push_back({component, c, smallest(), box});
+        parts.push_back({component, c, box});
         continue;
       }
       Part& part = parts.back();
-      // Seldom: chains come in no order along x, so which of their ends is smaller is hard to foresee.
-      if (box.x0 <= part.box.x0 && is_smaller(smallest(), part.smallest)) {
-        part.smallest = smallest();
+      // Chains come in no order along x, so more than this is hard to foresee.
+      if (box.x0 < part.box.x0 || (box.x0 == part.box.x0 && is_smaller(smallest_of(c), smallest_of(part.chain))))
         part.chain = c;
-      }
       part.box = part.box.joined(box);
     }
     return parts;
   }
 
   void add(const Part& part) {
+    const std::uint32_t smallest = smallest_of(part.chain);
     if (part.component == none) {
       component_of_[part.chain] = static_cast<std::uint32_t>(components_.size());
-      components_.push_back({part.chain, part.smallest});
+      components_.push_back({part.chain, smallest});
       boxes_.push_back(part.box);
       return;
     }
     Component& component = components_[part.component];
     Box& box = boxes_[part.component];
     box = component.chain == none ? part.box : box.joined(part.box);
-    if (component.chain == none || is_smaller(part.smallest, component.vertex)) component = {part.chain, part.smallest};
+    if (component.chain == none || is_smaller(smallest, component.vertex)) component = {part.chain, smallest};
+  }
+
+  std::uint32_t smallest_of(std::uint32_t c) const {
+    const Chain& chain = graph_.chains[c];
+    const auto vertices = std::span(graph_.strands.points).subspan(chain.first, chain.last + 1 - chain.first);
+    return chain.first + smallest_vertex(vertices).vertex;
   }
 
   bool is_smaller(std::uint32_t vertex, std::uint32_t other) const {

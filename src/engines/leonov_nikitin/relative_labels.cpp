@@ -52,12 +52,15 @@ class RangeLabelling {
   bool is_here(std::uint32_t node) const { return begin_ <= node && node < end_; }
 
   void fetch_ahead(std::size_t i) const {
-    constexpr std::size_t chain_ahead = 12, node_ahead = 8, list_ahead = 4;
+    constexpr std::size_t chain_ahead = 16, node_ahead = 12, list_ahead = 8, others_ahead = 4;
     if (i + chain_ahead < pending_.size()) __builtin_prefetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
     if (i + node_ahead < pending_.size())
       __builtin_prefetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
     if (i + list_ahead < pending_.size())
       __builtin_prefetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
+    if (i + others_ahead < pending_.size())
+      for (const Descriptor d : graph_.list(graph_.start_node(pending_[i + others_ahead])))
+        __builtin_prefetch(&graph_.chains[chain_of(d)]);
   }
 
   /// Rule 2.2: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Rule
