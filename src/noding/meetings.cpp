@@ -8,7 +8,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
+#include "noding/arrange_cuts.h"
 #include "noding/clearance.h"
 #include "noding/edges_in.h"
 #include "noding/largest_ulp.h"
@@ -29,11 +29,6 @@ namespace {
 using exact::orientation;
 
 constexpr std::uint32_t no_vertex = 0xffffffff;
-
-bool in_box(const Point& p, const Point& a, const Point& b) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
-}
 
 /// The nearest multiple of `unit` in [low, high].
 double round_to_multiple(double value, double unit, double low, double high) {
@@ -263,7 +258,7 @@ class MeetingTest {
     std::uint32_t vertex = no_vertex, edge = 0;
     const auto consider = [&](std::uint32_t v, std::uint32_t other) {
       const Point &p = points_[v], &a = points_[other], &b = points_[other + 1];
-      if (!in_box(p, a, b)) return;
+      if (!Box::of(a, b).contains(p)) return;
       const double distance = distance_from_line(p, a, b);
       if (distance > nearest) return;
       if (vertex != no_vertex && distance == nearest && !lexicographically_less(p, points_[vertex])) return;
@@ -306,7 +301,7 @@ class MeetingTest {
       if (same_vertex(vertex, other)) return;
       mark(vertex);
       mark(other);
-    } else if (in_box(p, a, b)) {
+    } else if (Box::of(a, b).contains(p)) {
       mark(vertex);
       cut(edge, 0, p);
     }
@@ -351,147 +346,6 @@ class MeetingTest {
   bool met_ = false;               ///< the two edges looked at meet
 };
 
-/// Sorts the cuts of one edge along it, from a = points[edge] on, and drops repeated ones. Rounding is monotone, so the
-/// order along the edge is the order of x, and of y where x is the same, each in the edge's own direction.
-EdgeCut* sort_along(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
-  const bool rightward = a.x < b.x, upward = a.y < b.y;
-  std::sort(begin, end, [&](const EdgeCut& p, const EdgeCut& q) {
-    if (p.at.x != q.at.x) return (p.at.x < q.at.x) == rightward;
-    if (p.at.y != q.at.y) return (p.at.y < q.at.y) == upward;
-    return false;
-  });
-  EdgeCut* last = begin;
-  for (EdgeCut* cut = begin + 1; cut != end; ++cut) {
-    if (cut->at == last->at)
-      last->sine = std::min(last->sine, cut->sine);
-    else
-      *++last = *cut;
-  }
-  return last + 1;
-}
-
-/// Drops cuts at which the edge from a to b would turn back in x or y, as it might where cuts are at vertices beside
-/// it. What they were to settle is left to the next round. So the pieces' boxes always shrink. Looked at from the
-/// smaller end, whichever way the edge runs. REQUIRES: sorted along the edge.
-EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
-  const bool rightward = lexicographically_less(a, b);
-  if (!rightward) std::reverse(begin, end);
-  const Point& last = rightward ? b : a;
-  Point from = rightward ? a : b;
-  EdgeCut* kept = begin;
-  for (EdgeCut* cut = begin; cut != end; ++cut) {
-    if (!in_box(cut->at, from, last)) continue;
-    from = cut->at;
-    *kept++ = *cut;
-  }
-  if (!rightward) std::reverse(begin, kept);
-  return kept;
-}
-
-/// Brings cuts into the order of the edges and along them, each once. By ranges of edges, side by side: first each cut
-/// to the others of its range, then each range by itself.
-class Arrangement {
- public:
-  Arrangement(const Strands& strands, Settling settling, Clearance* clearance)
-      : strands_(strands), points_(strands.points), settling_(settling), clearance_(clearance) {}
-
-  LargeArray<EdgeCut> run(std::span<const Found> found) {
-    std::size_t count = 0;
-    Array<std::span<const EdgeCut>> blocks;
-    for (const Found& part : found) {
-      for (const auto& block : part.cuts.blocks()) {
-        blocks.push_back(block);
-        count += block.size();
-      }
-    }
-    edges_a_range_ = std::bit_ceil(grain(points_.size(), count));
-    ranges_.resize(range_count(points_.size(), edges_a_range_));
-    resize_in_large_pages(cuts_, count);
-    scatter(blocks);
-    for_numbered_ranges(points_.size(), edges_a_range_, [&](std::size_t range, std::size_t first, std::size_t past) {
-      ranges_[range].end = arrange(first, past, std::span(cuts_).subspan(ranges_[range].begin, ranges_[range].count()));
-    });
-    auto last = cuts_.begin();
-    for (const Range& range : ranges_) {
-      const auto first = cuts_.begin() + range.begin, past = cuts_.begin() + range.end;
-      last = last == first ? past : std::copy(first, past, last);
-    }
-    cuts_.erase(last, cuts_.end());
-    return std::move(cuts_);
-  }
-
- private:
-  /// Of the cuts of a range of edges: what is left of them, in the end.
-  struct Range {
-    std::uint32_t begin = 0, end = 0;
-
-    std::uint32_t count() const { return end - begin; }
-  };
-
-  void scatter(std::span<const std::span<const EdgeCut>> blocks) {
-    const auto range_of = [&, bits = std::countr_zero(edges_a_range_)](const EdgeCut& cut) { return cut.edge >> bits; };
-    constexpr std::size_t most_tasks = 16;
-    const std::size_t blocks_a_task = range_count(blocks.size(), most_tasks), count = ranges_.size();
-    const std::size_t tasks = range_count(blocks.size(), blocks_a_task);
-    Array<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
-    for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
-      std::uint32_t* const counts = &places[task * count];
-      for (; first < past; ++first)
-        for (const EdgeCut& cut : blocks[first]) ++counts[range_of(cut)];
-    });
-    std::uint32_t sum = 0;
-    for (std::size_t range = 0; range < count; ++range) {
-      ranges_[range].begin = sum;
-      for (std::size_t task = 0; task < tasks; ++task) {
-        std::uint32_t& place = places[task * count + range];
-        place = std::exchange(sum, sum + place);
-      }
-      ranges_[range].end = sum;
-    }
-    for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
-      std::uint32_t* const next = &places[task * count];
-      for (; first < past; ++first)
-        for (const EdgeCut& cut : blocks[first]) cuts_[next[range_of(cut)]++] = cut;
-    });
-  }
-
-  /// Of the edges [first, past). What is left of the cuts is at their beginning, up to the returned index of all.
-  std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeCut> cuts) const {
-    EdgeCut* packed = cuts.data();
-    if (cuts.empty()) return static_cast<std::uint32_t>(packed - cuts_.data());
-    Array<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
-    for (const EdgeCut& cut : cuts) ++ends[cut.edge - first + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    Array<EdgeCut> by_edge(cuts.size());
-    // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
-    for (const EdgeCut& cut : cuts) by_edge[ends[cut.edge - first]++] = cut;
-    std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(first));
-    for (EdgeCut *begin = by_edge.data(), *const last = begin + by_edge.size(); begin != last;) {
-      const std::uint32_t e = begin->edge;
-      EdgeCut* const end = by_edge.data() + ends[e - first];
-      const Point &a = points_[e], &b = points_[e + 1];
-      EdgeCut* kept = sort_along(a, b, begin, end);
-      if (settling_.tolerance > 0) kept = keep_monotone(a, b, begin, kept);
-      if (clearance_) {
-        while (strands_.ends[strand] <= e) ++strand;
-        clearance_->look_along(strand, {begin, kept});
-        kept = std::remove_if(begin, kept, [&](const EdgeCut& cut) { return cut.at == a || cut.at == b; });
-      }
-      packed = std::copy(begin, kept, packed);
-      begin = end;
-    }
-    return static_cast<std::uint32_t>(packed - cuts_.data());
-  }
-
-  const Strands& strands_;
-  const Array<Point>& points_;
-  Settling settling_;
-  Clearance* clearance_;
-  std::size_t edges_a_range_ = 0;  ///< a power of two
-  Array<Range> ranges_;
-  LargeArray<EdgeCut> cuts_;
-};
-
 }  // namespace
 
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
@@ -522,8 +376,11 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
     tangled->erase(std::unique(tangled->begin(), tangled->end()), tangled->end());
     if (!tangled->empty()) return {};
   }
-  if (std::all_of(found.begin(), found.end(), [](const Found& part) { return part.cuts.blocks().empty(); })) return {};
-  LargeArray<EdgeCut> cuts = Arrangement(strands, settling, clearance).run(found);
+  Array<std::span<const EdgeCut>> blocks;
+  for (const Found& part : found)
+    for (const auto& block : part.cuts.blocks()) blocks.emplace_back(block);
+  if (blocks.empty()) return {};
+  LargeArray<EdgeCut> cuts = arrange_cuts(strands, blocks, settling, clearance);
   if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
   return cuts;

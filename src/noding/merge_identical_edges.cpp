@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/point_hash.h"
 #include "parallel/for_ranges.h"
@@ -26,7 +27,7 @@ class HashBits {
     resize_in_large_pages(words_, std::bit_ceil(hashes * bits_each / 64 + 1));
   }
 
-  void prefetch(std::uint32_t hash) const { __builtin_prefetch(&words_[place(hash)], 1); }
+  void prefetch(std::uint32_t hash) const { fetch_to_write(&words_[place(hash)]); }
   /// Whether it was there before.
   bool add(std::uint32_t hash) {
     std::uint64_t& word = words_[place(hash)];
@@ -50,7 +51,7 @@ class EdgeTable {
   EdgeTable(const Array<Point>& points, std::size_t most_edges)
       : points_(points), slots_(std::bit_ceil(most_edges + most_edges / 2 + 2), none), mask_(slots_.size() - 1) {}
 
-  void prefetch(std::uint32_t hash) const { __builtin_prefetch(&slots_[hash & mask_], 1); }
+  void prefetch(std::uint32_t hash) const { fetch_to_write(&slots_[hash & mask_]); }
   /// The first edge with the ends of this one; the edge itself when it is new.
   std::uint32_t find_or_insert(std::uint32_t edge, std::uint32_t hash) {
     const Point &a = points_[edge], &b = points_[edge + 1];

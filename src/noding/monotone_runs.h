@@ -27,6 +27,7 @@ struct Box {
   }
   Box joined(const Point& p) const { return joined(of(p, p)); }
   Box widened(double margin) const { return {x0 - margin, y0 - margin, x1 + margin, y1 + margin}; }
+  bool contains(const Point& p) const { return x0 <= p.x && p.x <= x1 && y0 <= p.y && p.y <= y1; }
   /// Without a branch: the outcome is hard to foresee.
   bool meets(const Box& o) const {
     return static_cast<bool>(static_cast<int>(x0 <= o.x1) & static_cast<int>(o.x0 <= x1) &

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/angular_order.h"
@@ -44,7 +45,7 @@ struct Stops {
   /// Stops are looked at node by node, so they come from all over the strands. Those from `past` on may be in work on
   /// another thread.
   void fetch_ahead(std::size_t i, std::size_t past) const {
-    if (i + fetched_ahead < past) __builtin_prefetch(&along[order[i + fetched_ahead].index]);
+    if (i + fetched_ahead < past) fetch(&along[order[i + fetched_ahead].index]);
   }
 };
 
@@ -166,7 +167,7 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
         if (last - first > 1) std::sort(order.data() + first, order.data() + last, in_order);
         for (std::size_t i = first; i < last; ++i) {
           stops.fetch_ahead(i, ranges[range + 1].begin);
-          if (i + fetched_ahead < ranges[range + 1].begin) __builtin_prefetch(&places[order[i + fetched_ahead].index]);
+          if (i + fetched_ahead < ranges[range + 1].begin) fetch(&places[order[i + fetched_ahead].index]);
           order[i].key = i == first || places[order[i].index] != places[order[i - 1].index];
           nodes += order[i].key;
           chains += stops.has_chain_after(order[i].index);
@@ -266,7 +267,7 @@ Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
         stops.fetch_ahead(i, stops.order.size());
         if (i + fetched_ahead / 2 < stops.order.size())
-          __builtin_prefetch(&graph.point(stops.along[stops.order[i + fetched_ahead / 2].index].vertex));
+          fetch(&graph.point(stops.along[stops.order[i + fetched_ahead / 2].index].vertex));
         const std::uint32_t k = stops.order[i].index;
         const Stop& stop = stops.along[k];
         std::uint32_t chain_before = none;

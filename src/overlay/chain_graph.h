@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/strands.h"
 
@@ -54,7 +55,7 @@ struct ChainGraph {
 
   /// For who goes through the chains in order: their points are all over the strands.
   void fetch_points_ahead(std::uint32_t chain) const {
-    if (chain + fetched_ahead < chains.size()) __builtin_prefetch(&strands.points[chains[chain + fetched_ahead].first]);
+    if (chain + fetched_ahead < chains.size()) fetch(&strands.points[chains[chain + fetched_ahead].first]);
   }
 
   std::size_t node_count() const { return node_vertex.size(); }
@@ -81,8 +82,10 @@ struct ChainGraph {
   }
   /// Winding change when the descriptor's chain, in the descriptor's direction, is crossed from right to left.
   Winding change(Descriptor d) const {
+    // Without a branch: which way a chain runs is hard to foresee.
     const Winding w = chains[chain_of(d)].change;
-    return is_backward(d) ? -w : w;
+    const std::int32_t sign = 1 - 2 * static_cast<std::int32_t>(is_backward(d));
+    return {sign * w.a, sign * w.b};
   }
 };
 

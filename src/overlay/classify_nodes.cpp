@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "overlay/rings.h"
 #include "parallel/for_ranges.h"
@@ -58,7 +59,7 @@ class TraceFinder {
   /// Chains are looked at in order, and their vertices are all over the strands.
   void fetch_flags_ahead(std::size_t chain) const {
     if (chain + fetched_ahead < graph_.chains.size())
-      __builtin_prefetch(&graph_.strands.flags[graph_.chains[chain + fetched_ahead].first]);
+      fetch(&graph_.strands.flags[graph_.chains[chain + fetched_ahead].first]);
   }
 
   void flag_touches() {

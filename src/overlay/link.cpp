@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
@@ -36,6 +37,8 @@ class WalkCollector {
   void collect_near(std::uint32_t begin, std::uint32_t end) {
     const auto& list_ends = paths_.graph.list_ends;
     for (std::uint32_t i = begin == 0 ? 0 : list_ends[begin - 1]; i < list_ends[end - 1]; ++i) {
+      if (i + fetched_ahead < list_ends[end - 1])
+        fetch(&paths_.graph.chains[chain_of(paths_.graph.lists[i + fetched_ahead])]);
       const Descriptor d = paths_.graph.lists[i];
       if (!paths_.leaves(d)) continue;
       const std::uint32_t first = chain_of(d);

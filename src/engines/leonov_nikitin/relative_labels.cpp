@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
@@ -25,7 +26,7 @@ struct Border {
 class RangeLabelling {
  public:
   RangeLabelling(const ChainGraph& graph, std::uint32_t begin, std::uint32_t end, RelativeLabels& labels)
-      : graph_(graph), begin_(begin), end_(end), labels_(labels) {}
+      : graph_(graph), begin_(begin), end_(end), labels_(labels), pending_(end - begin + 1) {}
 
   void run() {
     for (std::uint32_t node = begin_; node < end_; ++node) {
@@ -33,14 +34,14 @@ class RangeLabelling {
       labels_.component[node] = pieces;
       label_around(node, graph_.list(node)[0], {});
       // First in, first out: what is at hand soon is known long enough before to be fetched.
-      for (std::size_t i = 0; i < pending_.size(); ++i) {
+      for (std::size_t i = 0; i < pending_count_; ++i) {
         fetch_ahead(i);
         const Descriptor known = pending_[i];
         const Winding right = labels_.right[chain_of(known)];
         label_around(graph_.start_node(known), known,
                      is_backward(known) ? right + graph_.change(opposite(known)) : right);
       }
-      pending_.clear();
+      pending_count_ = 0;
       ++pieces;
     }
   }
@@ -53,42 +54,53 @@ class RangeLabelling {
 
   void fetch_ahead(std::size_t i) const {
     constexpr std::size_t chain_ahead = 16, node_ahead = 12, list_ahead = 8, others_ahead = 4;
-    if (i + chain_ahead < pending_.size()) __builtin_prefetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
-    if (i + node_ahead < pending_.size())
-      __builtin_prefetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
-    if (i + list_ahead < pending_.size())
-      __builtin_prefetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
-    if (i + others_ahead < pending_.size())
+    if (i + chain_ahead < pending_count_) fetch(&graph_.chains[chain_of(pending_[i + chain_ahead])]);
+    if (i + node_ahead < pending_count_) fetch(&graph_.list_ends[graph_.start_node(pending_[i + node_ahead])]);
+    if (i + list_ahead < pending_count_) fetch(graph_.list(graph_.start_node(pending_[i + list_ahead])).data());
+    if (i + others_ahead < pending_count_)
       for (const Descriptor d : graph_.list(graph_.start_node(pending_[i + others_ahead])))
-        __builtin_prefetch(&graph_.chains[chain_of(d)]);
+        fetch(&graph_.chains[chain_of(d)]);
   }
 
   /// Rule 2.2: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Rule
-  /// 2.1: on to nodes not seen yet. A chain's label is written where it begins.
-  void label_around(std::uint32_t node, Descriptor known, Winding sector) {
+  /// 2.1: on to nodes not seen yet. A chain's label is written where it begins. Which way chains run and what was seen
+  /// is hard to foresee: so there are no branches for it.
+  void label_around(std::uint32_t node, Descriptor known, Winding right_of_known) {
     const auto list = graph_.list(node);
-    const auto at = static_cast<std::size_t>(std::find(list.begin(), list.end(), known) - list.begin());
-    for (std::size_t i = at; i < at + list.size(); ++i) {
-      const Descriptor d = list[i < list.size() ? i : i - list.size()];
+    const std::uint32_t piece = labels_.component[node];
+    // Right of the first descriptor, as everything around the node adds up to nothing.
+    Winding sector, first_sector;
+    for (const Descriptor d : list) {
+      first_sector = d == known ? right_of_known - sector : first_sector;
+      sector = sector + graph_.change(d);
+    }
+    sector = first_sector;
+    for (const Descriptor d : list) {
       const Chain& chain = graph_.chains[chain_of(d)];
-      const Winding left = is_backward(d) ? sector - chain.change : sector + chain.change;
+      const Winding left = sector + graph_.change(d);
       const Winding right = is_backward(d) ? left : sector;
       const std::uint32_t other = is_backward(d) ? chain.from : chain.to;
       sector = left;
-      if (!is_backward(d) || is_here(other))
-        labels_.right[chain_of(d)] = right;
-      else
-        borders.push_back({chain_of(d), labels_.component[node], right});
-      if (!is_here(other) || labels_.component[other] != none) continue;
-      labels_.component[other] = labels_.component[node];
-      pending_.push_back(opposite(d));
+      if (!is_here(other)) {
+        if (is_backward(d))
+          borders.push_back({chain_of(d), piece, right});
+        else
+          labels_.right[chain_of(d)] = right;
+        continue;
+      }
+      labels_.right[chain_of(d)] = right;
+      const bool is_new = labels_.component[other] == none;
+      labels_.component[other] = is_new ? piece : labels_.component[other];
+      pending_[pending_count_] = opposite(d);
+      pending_count_ += is_new;
     }
   }
 
   const ChainGraph& graph_;
   std::uint32_t begin_, end_;
   RelativeLabels& labels_;
-  Array<Descriptor> pending_;
+  LargeArray<Descriptor> pending_;  ///< each node at most once, and one more that is not counted
+  std::size_t pending_count_ = 0;
 };
 
 /// Disjoint sets of pieces that know what is to be added to the labels of a piece for those of its root.
