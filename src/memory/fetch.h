@@ -1,6 +1,8 @@
 // Fetching what will be needed soon into the caches, where the processor cannot foresee it.
 #pragma once
 
+#include <cstddef>
+
 namespace oblast {
 
 /// It is advice: nothing depends on it but time.
@@ -12,6 +14,13 @@ inline void fetch(const void* address) {
 inline void fetch_to_write(const void* address) {
   __builtin_prefetch(address, 1);
   asm volatile("");
+}
+
+/// An element of an array with the ones beside it.
+template <class Items>
+void fetch_around(const Items& items, std::size_t index) {
+  fetch(&items[index - (index > 0)]);
+  fetch(&items[index + (index + 1 < items.size())]);
 }
 
 }  // namespace oblast

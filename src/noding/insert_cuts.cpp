@@ -52,6 +52,11 @@ class CutInsertion {
 
   /// Vertices [begin, from_) to where they end at to_. What the last round said of them is over.
   void move_vertices(std::uint32_t begin) {
+    constexpr std::uint32_t few = 16;
+    if (from_ - begin <= few) {
+      while (from_ > begin) move_vertex(--from_, --to_);
+      return;
+    }
     const auto move = [&](auto& items) {
       if (from_ != to_) std::move_backward(items.begin() + begin, items.begin() + from_, items.begin() + to_);
     };
@@ -59,9 +64,13 @@ class CutInsertion {
     move(strands_.flags);
     move(strands_.origin);
     to_ -= from_ - begin;
-    for (std::uint8_t& flags : std::span(strands_.flags).subspan(to_, from_ - begin))
-      flags &= static_cast<std::uint8_t>(~(moved_flag | near_flag));
+    for (std::uint8_t& flags : std::span(strands_.flags).subspan(to_, from_ - begin)) flags &= kept_flags;
     from_ = begin;
+  }
+  void move_vertex(std::uint32_t from, std::uint32_t to) {
+    strands_.points[to] = strands_.points[from];
+    strands_.flags[to] = strands_.flags[from] & kept_flags;
+    strands_.origin[to] = strands_.origin[from];
   }
 
   void put(std::span<const EdgeCut> cuts, std::uint32_t origin, bool moved) {
@@ -71,6 +80,8 @@ class CutInsertion {
     std::fill_n(strands_.flags.begin() + to_, cuts.size(), flags);
     std::fill_n(strands_.origin.begin() + to_, cuts.size(), origin);
   }
+
+  static constexpr auto kept_flags = static_cast<std::uint8_t>(~(moved_flag | near_flag));
 
   Strands& strands_;
   std::span<const EdgeCut> cuts_;

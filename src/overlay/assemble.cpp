@@ -25,6 +25,11 @@ class Rotation {
     return points_[v < end_ ? v : v - size()];
   }
   void copy_to(Point* to) const {
+    constexpr std::size_t few = 8;
+    if (size() <= few) {
+      for (std::size_t i = 0; i < size(); ++i) to[i] = (*this)[i];
+      return;
+    }
     to = std::copy(points_ + start_, points_ + end_, to);
     std::copy(points_ + begin_, points_ + start_, to);
   }

@@ -45,7 +45,7 @@ struct Stops {
   /// Stops are looked at node by node, so they come from all over the strands. Those from `past` on may be in work on
   /// another thread.
   void fetch_ahead(std::size_t i, std::size_t past) const {
-    if (i + fetched_ahead < past) fetch(&along[order[i + fetched_ahead].index]);
+    if (i + fetched_ahead < past) fetch_around(along, order[i + fetched_ahead].index);
   }
 };
 
@@ -267,7 +267,7 @@ Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops
       for (std::uint32_t i = node == 0 ? 0 : stops.ends[node - 1]; i < stops.ends[node]; ++i) {
         stops.fetch_ahead(i, stops.order.size());
         if (i + fetched_ahead / 2 < stops.order.size())
-          fetch(&graph.point(stops.along[stops.order[i + fetched_ahead / 2].index].vertex));
+          fetch_around(graph.strands.points, stops.along[stops.order[i + fetched_ahead / 2].index].vertex);
         const std::uint32_t k = stops.order[i].index;
         const Stop& stop = stops.along[k];
         std::uint32_t chain_before = none;

@@ -62,12 +62,20 @@ class TraceFinder {
       fetch(&graph_.strands.flags[graph_.chains[chain + fetched_ahead].first]);
   }
 
+  void fetch_before_ahead(std::size_t chain) const {
+    if (chain + fetched_ahead >= graph_.chains.size()) return;
+    const std::uint32_t before = graph_.chains[chain + fetched_ahead].before;
+    fetch(&graph_.chains[before == none ? chain : before]);
+  }
+
   void flag_touches() {
     resize_in_large_pages(degree_, graph_.node_count());
     for_ranges(graph_.node_count(), elements_a_task, [&](std::size_t begin, std::size_t end) {
       for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
-        for (const Descriptor d : graph_.list(node)) degree_[node] += selection_[chain_of(d)] != none;
-        if (degree_[node] > 2) flags_[node] = touch_vertex;
+        std::uint32_t degree = 0;
+        for (const Descriptor d : graph_.list(node)) degree += selection_[chain_of(d)] != none;
+        degree_[node] = degree;
+        flags_[node] = degree > 2 ? touch_vertex : 0;
       }
     });
   }
@@ -91,6 +99,7 @@ class TraceFinder {
       // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
       for (std::size_t c = begin; c < end; ++c) {
         fetch_flags_ahead(c);
+        fetch_before_ahead(c);
         const Chain& after = graph_.chains[c];
         const bool between = after.before != none && added(after.first);
         if (!all(between, degree_[after.from] == 2, !input_vertex[after.from], is_selected(after))) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "parallel/for_ranges.h"
 
@@ -15,7 +16,10 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
   const Chain& chain = graph.chains[chain_of(d)];
   const auto first = graph.strands.points.begin() + chain.first, last = graph.strands.points.begin() + chain.last;
   const auto to = rings.points.begin() + vertex;
-  if (is_backward(d))
+  // Where much meets, nearly all chains are one edge.
+  if (last - first == 1)
+    *to = is_backward(d) ? *last : *first;
+  else if (is_backward(d))
     std::copy(std::reverse_iterator(last + 1), std::reverse_iterator(first + 1), to);
   else
     std::copy(first, last, to);
@@ -43,8 +47,12 @@ Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, con
   resize_in_large_pages(rings.points, ends.empty() ? 0 : ends.back());
   rings.flags.resize(rings.points.size(), 0);
   for_ranges(ends.size(), grain(ends.size(), rings.points.size()), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + fetched_ahead < end) fetch(&graph.chains[chain_of(descriptors[i + fetched_ahead])]);
+      if (i + fetched_ahead / 2 < end)
+        fetch(&graph.point(graph.chains[chain_of(descriptors[i + fetched_ahead / 2])].first));
       write_chain(graph, node_flags, descriptors[i], i == 0 ? 0 : ends[i - 1], rings);
+    }
   });
   return rings;
 }
