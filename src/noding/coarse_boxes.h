@@ -48,9 +48,7 @@ class CoarseBoxes {
     alignas(16) std::int16_t x0[block], y0[block], x1[block], y1[block];
   };
 
-  static std::size_t bucket_of(std::int16_t x) {
-    return static_cast<std::size_t>((x >> (16 - bucket_bits)) + (1 << (bucket_bits - 1)));
-  }
+  static std::size_t bucket_of(std::int16_t x) { return static_cast<std::uint32_t>(x + 0x8000) >> (16 - bucket_bits); }
 
   /// Bit k: box i meets box k of a block.
   std::uint32_t meeting(std::size_t i, std::size_t b) const {

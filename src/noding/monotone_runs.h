@@ -54,9 +54,9 @@ struct Run {
   std::uint32_t first;  ///< first edge
   std::uint32_t last;   ///< past the last edge, which is also the index of the last vertex
   Group group;
-  /// Its strand gets on, in x or in y, from the edge before to its first: the run meets the one before, then, nowhere
-  /// but in the vertex between them.
-  bool gets_on = false;
+  /// 1 where its strand gets on, in x or in y, from the edge before to its first: the run meets the one before, then,
+  /// nowhere but in the vertex between them. A whole word, for runs are copied much.
+  std::uint32_t gets_on = 0;
 };
 
 /// Which groups the runs of a round get.

@@ -57,6 +57,7 @@ class Labelling {
     std::uint32_t component;  ///< none for a contour that meets nothing
     std::uint32_t chain;      ///< a chain that the smallest vertex is on
     Box box;
+    std::uint32_t smallest = none;  ///< that vertex
   };
 
   /// Of each component, and of each contour that meets nothing, which is one by itself.
@@ -91,21 +92,21 @@ class Labelling {
         part.chain = c;
       part.box = part.box.joined(box);
     }
+    for (Part& part : parts) part.smallest = smallest_of(part.chain);
     return parts;
   }
 
   void add(const Part& part) {
-    const std::uint32_t smallest = smallest_of(part.chain);
     if (part.component == none) {
       component_of_[part.chain] = static_cast<std::uint32_t>(components_.size());
-      components_.push_back({part.chain, smallest});
+      components_.push_back({part.chain, part.smallest});
       boxes_.push_back(part.box);
       return;
     }
     Component& component = components_[part.component];
     Box& box = boxes_[part.component];
     box = component.chain == none ? part.box : box.joined(part.box);
-    if (component.chain == none || is_smaller(smallest, component.vertex)) component = {part.chain, smallest};
+    if (component.chain == none || is_smaller(part.smallest, component.vertex)) component = {part.chain, part.smallest};
   }
 
   std::uint32_t smallest_of(std::uint32_t c) const {
