@@ -89,7 +89,8 @@ struct ChainGraph {
   }
 };
 
-/// Cost: O(n) to pass over the vertices, O(k log d) for k chain ends at nodes of degree d.
+/// REQUIRES: a strand with a node begins and ends with one. Cost: O(n) to pass over the vertices, O(k log d) for k
+/// chain ends at nodes of degree d.
 ChainGraph build_chain_graph(noding::Strands strands);
 
 }  // namespace oblast
