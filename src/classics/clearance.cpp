@@ -58,7 +58,7 @@ class ClearanceTest {
   bool each_moved(const Test& test) const {
     return std::all_of(moved_.begin(), moved_.end(), [&](const Moved& m) {
       Box box = Box::of(points_[m.edge], points_[m.edge + 1]);
-      box = {box.x0 - gap_, box.y0 - gap_, box.x1 + gap_, box.y1 + gap_};
+      box = box.widened(gap_);
       return test(m.edge, m.strand, box);
     });
   }

@@ -71,8 +71,8 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
   // An edge that only touches the line stays on one side, if it does so on the cut's own edge: whatever it
   // meets there, that edge meets too, and it is on both sides.
   const Box own = Box::of(a, b);
-  const auto touches_elsewhere = [&](int side, const Point& p) { return side == 0 && !own.meets(Box::of(p, p)); };
-  const auto touches_here = [&](int side, const Point& p) { return side == 0 && entry.box.meets(Box::of(p, p)); };
+  const auto touches_elsewhere = [&](int side, const Point& p) { return side == 0 && !own.contains(p); };
+  const auto touches_here = [&](int side, const Point& p) { return side == 0 && entry.box.contains(p); };
   const bool touches = touches_here(c_side, c) || touches_here(d_side, d);
   if (!touches_elsewhere(c_side, c) && !touches_elsewhere(d_side, d) &&
       (cut.margin == 0 || (touches && cut.parts_touching))) {

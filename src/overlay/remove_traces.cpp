@@ -163,7 +163,7 @@ class ConflictFinder {
       const double at = offset(edge, v);
       d.least = std::min(d.least, at);
       d.most = std::max(d.most, at);
-      d.leaves_box |= !box.meets(noding::Box::of(v, v));
+      d.leaves_box |= !box.contains(v);
     });
     // In the edge's box the offset of a piece's end, and that of the point it is compared with, are off by at most four
     // epsilons of this product each. Nothing under- or overflows in the domain of coordinates.
