@@ -93,7 +93,7 @@ class ClearanceTest {
   bool is_far(const Point& p, const Point& a, const Point& b) const { return classics::is_far(p, a, b, gap_); }
 
   const Strands& strands_;
-  const Array<Point>& points_;
+  const LargeArray<Point>& points_;
   double gap_ = 0;
   std::vector<Moved> moved_;
 };

@@ -87,10 +87,11 @@ class CallMemory {
   alignas(64) std::array<std::byte, capacity> memory_;  // not written before it is used
 };
 
-/// While it lives, this thread is in no small call, and has the blocks of a workspace; null: of none.
+/// While it lives, this thread works for a call that is not small, and has the blocks of its workspace; null: of none.
+/// What a call does on other threads takes this along.
 class LargeCall {
  public:
-  explicit LargeCall(KeptBlocks* blocks = nullptr) : outer_(CallMemory::current_), outer_blocks_(KeptBlocks::current_) {
+  explicit LargeCall(KeptBlocks* blocks) : outer_(CallMemory::current_), outer_blocks_(KeptBlocks::current_) {
     CallMemory::current_ = nullptr;
     KeptBlocks::current_ = blocks;
   }

@@ -19,6 +19,9 @@ class KeptBlocks {
   KeptBlocks& operator=(const KeptBlocks&) = delete;
   ~KeptBlocks() { clear(); }
 
+  /// Those of the call that this thread works for; null where it has no workspace.
+  static KeptBlocks* current() { return current_; }
+
   std::size_t most_bytes() const { return most_bytes_; }
   std::size_t bytes() const;
   void clear();
@@ -34,7 +37,6 @@ class KeptBlocks {
   void keep(Header* header);
   void drop_oldest();
 
-  /// Of the call that this thread makes; null where it has no workspace.
   inline static constinit thread_local KeptBlocks* current_ = nullptr;
 
   std::size_t most_bytes_;

@@ -181,7 +181,7 @@ class Arrangement {
   }
 
   const Strands& strands_;
-  const Array<Point>& points_;
+  const LargeArray<Point>& points_;
   Settling settling_;
   Clearance* clearance_;
   std::size_t edges_a_range_ = 0;  ///< a power of two

@@ -48,7 +48,7 @@ class HashBits {
 /// Finds to every edge the first one with the same ends: an open-addressing table of edges.
 class EdgeTable {
  public:
-  EdgeTable(const Array<Point>& points, std::size_t most_edges)
+  EdgeTable(const LargeArray<Point>& points, std::size_t most_edges)
       : points_(points), slots_(std::bit_ceil(most_edges + most_edges / 2 + 2), none), mask_(slots_.size() - 1) {}
 
   void prefetch(std::uint32_t hash) const { fetch_to_write(&slots_[hash & mask_]); }
@@ -64,7 +64,7 @@ class EdgeTable {
   }
 
  private:
-  const Array<Point>& points_;
+  const LargeArray<Point>& points_;
   Array<std::uint32_t> slots_;
   std::uint64_t mask_;
 };
@@ -83,7 +83,7 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
 }
 
 /// By edge. What is between two strands gets a value too.
-LargeArray<std::uint32_t> hash_edges(const Array<Point>& points) {
+LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points) {
   LargeArray<std::uint32_t> hashes;
   if (points.empty()) return hashes;
   resize_in_large_pages(hashes, points.size() - 1);
@@ -127,7 +127,7 @@ Array<std::uint32_t> repeated_hashes(const Strands& strands, const LargeArray<st
 /// Which part of some of the edges, chosen by the bits of their ends, repeats another one.
 double repeated_part(const Strands& strands) {
   constexpr std::size_t enough = 1 << 11, edges_a_range = 1 << 15;
-  const Array<Point>& points = strands.points;
+  const LargeArray<Point>& points = strands.points;
   const std::size_t edges = points.size() - 1;
   const std::uint64_t one_in = edges / enough + 1;
   const auto is_chosen = [&](std::size_t e) {

@@ -1,6 +1,7 @@
 #include "noding/monotone_runs.h"
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "memory/large_pages.h"
@@ -22,93 +23,117 @@ bool gets_on(const Point& u, const Point& v, const Point& w, double margin) {
   return (along(u.x, v.x, w.x) | along(u.y, v.y, w.y)) != 0;
 }
 
+/// Where a run begins is a bit, by edge. Where they begin is hard to foresee, so it is found without branches, and the
+/// runs are made once they are counted.
+using Begins = Array<std::uint64_t>;
+constexpr std::size_t edges_a_word = 64;
+
 class RunFinder {
  public:
   RunFinder(const Strands& strands, Grouping grouping, double margin)
-      : strands_(strands), points_(strands.points.data()), grouping_(grouping), margin_(margin) {}
+      : strands_(strands),
+        points_(strands.points.data()),
+        grouping_(grouping),
+        margin_(margin),
+        begins_(range_count(strands.points.size(), edges_a_word)) {}
 
-  /// Calls add(run) for those of the edges [begin, end). A run that goes on behind them is parted there.
-  template <class Add>
-  void find(std::size_t begin, std::size_t end, const Add& add) const {
+  /// Of those of the edges [begin, end), whole words of them, how many there are. A run that goes on behind them is
+  /// parted there.
+  std::size_t look(std::size_t begin, std::size_t end) {
     auto first = static_cast<std::uint32_t>(begin);
     for (std::size_t s = strands_.strand_of(first); s < strands_.size() && strands_.begin(s) < end; ++s) {
       first = std::max(first, strands_.begin(s));
       const std::uint32_t past = std::min(strands_.ends[s] - 1, static_cast<std::uint32_t>(end));
+      if (first >= past) continue;
       if (grouping_ == Grouping::by_moved)
-        find_in<true>(s, first, past, add);
+        look_in<true>(first, past);
       else
-        find_in<false>(s, first, past, add);
+        look_in<false>(first, past);
     }
+    std::size_t count = 0;
+    for (std::size_t w = begin / edges_a_word; w * edges_a_word < end; ++w)
+      count += static_cast<std::size_t>(std::popcount(begins_[w]));
+    return count;
+  }
+
+  /// Writes the runs of the edges [begin, end) once they were looked at.
+  void write(std::size_t begin, std::size_t end, Run* to) const {
+    std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(begin));
+    std::uint32_t first = none;
+    const auto add = [&](std::size_t past) {
+      *to++ = run(strand, first, std::min(strands_.ends[strand] - 1, static_cast<std::uint32_t>(past)));
+    };
+    for (std::size_t w = begin / edges_a_word; w * edges_a_word < end; ++w) {
+      for (std::uint64_t word = begins_[w]; word != 0; word &= word - 1) {
+        const auto next = static_cast<std::uint32_t>(w * edges_a_word + std::countr_zero(word));
+        if (first != none) add(next);
+        first = next;
+        while (strands_.ends[strand] <= first) ++strand;
+      }
+    }
+    if (first != none) add(end);
   }
 
  private:
+  static constexpr std::uint32_t none = 0xffffffff;
+
   bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
 
-  /// Of the edges [first, past) of a strand. Where runs end is hard to foresee, so a block of edges is looked through
-  /// first, without branches.
-  template <bool by_moved, class Add>
-  void find_in(std::size_t strand, std::uint32_t first, std::uint32_t past, const Add& add) const {
-    if (first >= past) return;
-    const bool grouped = grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known;
-    const Group group = grouped ? strands_.group[strand] : any_group;
-    const std::uint32_t begin = strands_.begin(strand);
-    const auto add_run = [&](std::uint32_t last) {
-      const Group of_run = by_moved ? (piece_moved(first) ? any_group : settled_group) : group;
-      const bool on = first > begin && gets_on(points_[first - 1], points_[first], points_[first + 1], margin_);
-      add(Run{Box::of(points_[first], points_[last]), first, last, of_run, on});
-      first = last;
-    };
-    constexpr std::uint32_t edges_a_block = 128;
-    std::array<std::uint32_t, edges_a_block> ends;
-    unsigned headings = 0;
+  /// Of the edges [first, past) of a strand, not none.
+  template <bool by_moved>
+  void look_in(std::uint32_t first, std::uint32_t past) {
+    unsigned headings = heading(points_[first], points_[first + 1]);
     std::uint32_t run_begin = first;
-    for (std::uint32_t edge = first; edge < past;) {
-      std::size_t count = 0;
-      for (const std::uint32_t block_end = std::min(edge + edges_a_block, past); edge < block_end; ++edge) {
-        const unsigned next = heading(points_[edge], points_[edge + 1]);
-        bool ends_here =
-            static_cast<int>(turns_back(headings | next)) | static_cast<int>(edge - run_begin == longest_run);
-        if (by_moved) ends_here = ends_here || (edge > run_begin && piece_moved(edge) != piece_moved(run_begin));
-        ends[count] = edge;
-        count += static_cast<std::size_t>(ends_here);
-        headings = ends_here ? next : headings | next;
-        run_begin = ends_here ? edge : run_begin;
+    std::uint64_t word = std::uint64_t{1} << first % edges_a_word;
+    for (std::uint32_t edge = first + 1; edge < past; ++edge) {
+      if (edge % edges_a_word == 0) {
+        begins_[edge / edges_a_word - 1] |= word;
+        word = 0;
       }
-      for (std::size_t i = 0; i < count; ++i) add_run(ends[i]);
+      const unsigned next = heading(points_[edge], points_[edge + 1]);
+      bool begins_here =
+          static_cast<int>(turns_back(headings | next)) | static_cast<int>(edge - run_begin == longest_run);
+      if (by_moved) begins_here = begins_here || piece_moved(edge) != piece_moved(run_begin);
+      word |= static_cast<std::uint64_t>(begins_here) << edge % edges_a_word;
+      headings = begins_here ? next : headings | next;
+      run_begin = begins_here ? edge : run_begin;
     }
-    add_run(past);
+    begins_[(past - 1) / edges_a_word] |= word;
+  }
+
+  Run run(std::size_t strand, std::uint32_t first, std::uint32_t last) const {
+    Group group = any_group;
+    if (grouping_ == Grouping::by_moved)
+      group = piece_moved(first) ? any_group : settled_group;
+    else if (grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known)
+      group = strands_.group[strand];
+    const bool on =
+        first > strands_.begin(strand) && gets_on(points_[first - 1], points_[first], points_[first + 1], margin_);
+    return {Box::of(points_[first], points_[last]), first, last, group, on};
   }
 
   const Strands& strands_;
   const Point* points_;
   Grouping grouping_;
   double margin_;
+  Begins begins_;
 };
 
 }  // namespace
 
 LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, double margin) {
-  constexpr std::size_t edges_a_range = 1 << 16;
-  const RunFinder finder(strands, grouping, margin);
+  constexpr std::size_t edges_a_range = 128 * edges_a_word;
+  RunFinder finder(strands, grouping, margin);
   const std::size_t edges = strands.points.size();
-  LargeArray<Run> runs;
-  if (edges <= edges_a_range) {
-    runs.reserve(edges / 2 + 16);
-    finder.find(0, edges, [&](const Run& run) { runs.push_back(run); });
-    return runs;
-  }
-  // Counted first, so that each is put where it belongs: to look twice costs less than to have them twice.
-  Array<std::size_t> begins(range_count(edges, edges_a_range) + 1);
+  Array<std::size_t> places(range_count(edges, edges_a_range) + 1);
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    std::size_t count = 0;
-    finder.find(begin, end, [&](const Run&) { ++count; });
-    begins[i + 1] = count;
+    places[i + 1] = finder.look(begin, end);
   });
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  resize_in_large_pages(runs, begins.back());
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  LargeArray<Run> runs;
+  resize_in_large_pages(runs, places.back());
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    Run* to = runs.data() + begins[i];
-    finder.find(begin, end, [&](const Run& run) { *to++ = run; });
+    finder.write(begin, end, runs.data() + places[i]);
   });
   return runs;
 }

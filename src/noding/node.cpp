@@ -35,7 +35,7 @@ void flag_strand_ends(Strands& strands) {
 
 /// How far noding moved the boundary, measured against the edges as they were given. Extended precision
 /// keeps the measure within a thousandth of a unit in the last place.
-double displacement(const Strands& noded, const Array<Point>& input) {
+double displacement(const Strands& noded, const LargeArray<Point>& input) {
   long double largest = 0;
   for (std::size_t v = 0; v < noded.points.size(); ++v) {
     if (!(noded.flags[v] & added_flag)) continue;
@@ -62,7 +62,7 @@ Grouping first_grouping(const Strands& strands) {
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint) {
   strands.flags.assign(strands.points.size(), 0);
   flag_closed_strands(strands);
-  Array<Point> input;  // the vertices as given, once there were cuts
+  LargeArray<Point> input;  // the vertices as given, once there were cuts
   Grouping grouping = first_grouping(strands);
   Array<std::uint32_t>* tangled = strands.has_assumed() ? &report.tangled : nullptr;
   for (bool moved = true; moved; grouping = Grouping::by_moved) {

@@ -202,7 +202,10 @@ class Finder {
     // What was right of the cut is there twice else while the left is divided further.
     release_unused_pages(entries);
     const auto [left_cell, right_cell] = cell.halves(cut);
-    tasks.run([this, &tasks, right, c = right_cell] { split_in_parallel(std::move(*right), c, tasks); });
+    tasks.run([this, &tasks, right, c = right_cell, blocks = KeptBlocks::current()] {
+      const LargeCall call(blocks);
+      split_in_parallel(std::move(*right), c, tasks);
+    });
     split_in_parallel(std::move(entries), left_cell, tasks);
   }
 

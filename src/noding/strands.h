@@ -15,6 +15,7 @@
 #include <cstdint>
 
 #include "memory/call_memory.h"
+#include "memory/large_pages.h"
 
 namespace oblast::noding {
 
@@ -59,7 +60,7 @@ inline constexpr Group any_group = 0;
 enum class Simplicity : std::uint8_t { known, assumed };
 
 struct Strands {
-  Array<Point> points;
+  LargeArray<Point> points;
   Array<std::uint8_t> flags;     ///< by vertex
   Array<std::uint32_t> origin;   ///< by vertex, once cut: input edge that an added vertex lies on
   Array<std::uint32_t> ends;     ///< by strand: past its last vertex

@@ -1,7 +1,5 @@
 #include "overlay/collect.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <optional>
@@ -22,15 +20,30 @@ using noding::Winding;
 
 /// Appends the ring to the points without repeated neighbours and without its closing point; -0.0 becomes 0.0. Where
 /// fewer than three vertices are left, none are.
-std::span<const Point> append_clean(std::span<const Point> ring, Array<Point>& points) {
+std::span<const Point> append_clean(std::span<const Point> ring, LargeArray<Point>& points) {
   const std::size_t begin = points.size();
+  points.resize(begin + ring.size());
+  Point* const first = points.data() + begin;
+  Point* past = first;
   for (const Point& p : ring) {
     const Point q{p.x + 0.0, p.y + 0.0};
-    if (points.size() == begin || points.back() != q) points.push_back(q);
+    *past = q;
+    past += past == first || past[-1] != q;
   }
-  while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
-  if (points.size() < begin + 3) points.resize(begin);
+  while (past > first + 1 && past[-1] == *first) --past;
+  if (past < first + 3) past = first;
+  points.resize(static_cast<std::size_t>(past - points.data()));
   return std::span(points).subspan(begin);
+}
+
+/// Makes room for so many contours and what they have of vertices. Polygons that are resolved get a few more.
+void reserve(Strands& strands, std::size_t vertices, std::size_t count) {
+  const std::size_t points = vertices + count;
+  reserve_in_large_pages(strands.points, points + points / 8);
+  strands.ends.reserve(count);
+  strands.change.reserve(count);
+  strands.group.reserve(count);
+  strands.simplicity.reserve(count);
 }
 
 /// Reads polygons of an operand.
@@ -38,6 +51,13 @@ class PolygonReader {
  public:
   PolygonReader(const RegionView& operand, bool is_b, Group first_group, Control& control)
       : operand_(operand), is_b_(is_b), first_group_(first_group), control_(control) {}
+
+  /// For polygons [begin, end), which are not none.
+  void make_room(std::size_t begin, std::size_t end, Strands& strands) const {
+    const std::uint32_t first = operand_.polygon_begin(begin), past = operand_.polygon_end(end - 1);
+    const std::uint32_t first_vertex = first < past ? operand_.contour_begin(first) : 0;
+    reserve(strands, first < past ? operand_.contour_ends[past - 1] - first_vertex : 0, past - first);
+  }
 
   /// Appends polygons [begin, end) to the strands; the number of those whose rings were found to meet.
   std::uint64_t read(std::size_t begin, std::size_t end, Strands& strands) const {
@@ -124,23 +144,50 @@ class PolygonReader {
   Control& control_;
 };
 
-void append(Strands& to, const Strands& from) {
-  const auto offset = static_cast<std::uint32_t>(to.points.size());
-  to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-  for (const std::uint32_t end : from.ends) to.ends.push_back(end + offset);
-  to.change.insert(to.change.end(), from.change.begin(), from.change.end());
-  to.group.insert(to.group.end(), from.group.begin(), from.group.end());
-  to.simplicity.insert(to.simplicity.end(), from.simplicity.begin(), from.simplicity.end());
+/// Copies all strands of `from` to where there is room for them, from `first_point` and `first_strand`.
+void put(const Strands& from, Strands& to, std::size_t first_point, std::size_t first_strand) {
+  const auto strand = static_cast<std::ptrdiff_t>(first_strand);
+  std::copy(from.points.begin(), from.points.end(), to.points.begin() + static_cast<std::ptrdiff_t>(first_point));
+  std::transform(from.ends.begin(), from.ends.end(), to.ends.begin() + strand,
+                 [&](std::uint32_t end) { return end + static_cast<std::uint32_t>(first_point); });
+  std::copy(from.change.begin(), from.change.end(), to.change.begin() + strand);
+  std::copy(from.group.begin(), from.group.end(), to.group.begin() + strand);
+  std::copy(from.simplicity.begin(), from.simplicity.end(), to.simplicity.begin() + strand);
+}
+
+/// Appends the strands of all parts, one part after another, and leaves the parts empty.
+void append(Strands& to, Array<Strands>& parts) {
+  Array<std::size_t> first_point, first_strand;
+  std::size_t points = to.points.size(), count = to.size();
+  for (const Strands& part : parts) {
+    first_point.push_back(points);
+    first_strand.push_back(count);
+    points += part.points.size();
+    count += part.size();
+  }
+  to.points.resize(points);
+  to.ends.resize(count);
+  to.change.resize(count);
+  to.group.resize(count);
+  to.simplicity.resize(count);
+  for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      put(parts[i], to, first_point[i], first_strand[i]);
+      parts[i] = {};
+    }
+  });
 }
 
 void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
                         Statistics& statistics) {
   const PolygonReader reader(operand, is_b, first_group, control);
-  const std::size_t count = operand.polygon_count(), polygons_a_part = grain(count, operand.points.size());
+  // To look whether a ring meets itself takes some ten times as long as to pass its vertices.
+  const std::size_t count = operand.polygon_count(), polygons_a_part = grain(count, 8 * operand.points.size());
   const std::size_t parts = range_count(count, polygons_a_part);
+  const auto begin_of = [&](std::size_t part) { return std::min(count, part * polygons_a_part); };
   const auto read_part = [&](std::size_t part, Strands& to) {
     control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
-    return reader.read(part * polygons_a_part, std::min(count, (part + 1) * polygons_a_part), to);
+    return reader.read(begin_of(part), begin_of(part + 1), to);
   };
   if (parts == 1 || core_count() == 1) {
     for (std::size_t part = 0; part < parts; ++part) statistics.resolved_polygons += read_part(part, strands);
@@ -148,11 +195,13 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
   }
   Array<Strands> read(parts);
   std::atomic<std::uint64_t> resolved = 0;
-  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) { resolved += read_part(part, read[part]); });
-  for (Strands& part : read) {
-    append(strands, part);
-    part = {};
-  }
+  for_ranges(parts, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part < end; ++part) {
+      reader.make_room(begin_of(part), begin_of(part + 1), read[part]);
+      resolved += read_part(part, read[part]);
+    }
+  });
+  append(strands, read);
   statistics.resolved_polygons += resolved;
 }
 
@@ -173,13 +222,7 @@ Strands collect(const RegionView& a, const RegionView* b, const Options& options
   Strands strands;
   strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
   const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);
-  // Polygons that are resolved get a few vertices more.
-  const std::size_t points = a.points.size() + (b ? b->points.size() : 0) + contours;
-  reserve_in_large_pages(strands.points, points + points / 8);
-  strands.ends.reserve(contours);
-  strands.change.reserve(contours);
-  strands.group.reserve(contours);
-  strands.simplicity.reserve(contours);
+  reserve(strands, a.points.size() + (b ? b->points.size() : 0), contours);
   const auto add = [&](const RegionView& operand, bool is_b, const FillRule& rule, Group first_group) {
     if (rule.by_polygon())
       collect_by_polygon(operand, is_b, first_group, control, strands, statistics);

@@ -192,7 +192,7 @@ class ConflictFinder {
 
   const Rings& rings_;
   const Straightened& s_;
-  const Array<Point>& points_;
+  const LargeArray<Point>& points_;
   LargeArray<std::uint32_t> detour_of_;  ///< by edge, of those straightened
   Array<Detour> detours_;
   Array<std::uint8_t> conflict_;  ///< by edge

@@ -19,8 +19,12 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
     if (count > 0) body(std::size_t{0}, count);
     return;
   }
+  KeptBlocks* const blocks = KeptBlocks::current();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      const LargeCall call(blocks);
+                      body(range.begin(), range.end());
+                    });
 }
 
 /// On how many cores for_ranges works: on one in a small call.

@@ -68,7 +68,7 @@ TEST_P(Steps, eatingInwardsFindsTheWindingNumbers) {
     const ChainGraph graph = arrangement_of(GetParam().make(seed, 40), options);
     const MarkedMesh marked = skvortsov::mark_mesh(graph);
     const skvortsov::Classification classes = skvortsov::classify(graph, marked);
-    Array<Point> all = graph.strands.points;
+    LargeArray<Point> all = graph.strands.points;
     all.insert(all.end(), marked.mesh.points.begin(), marked.mesh.points.end());
     const std::vector<IntegerPoint> points = to_integers(all);
     const auto vertex = [&](std::uint32_t v) -> const IntegerPoint& { return points[graph.strands.points.size() + v]; };

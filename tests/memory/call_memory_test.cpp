@@ -77,7 +77,7 @@ TEST(CallMemory, belongsToTheInnermostCall) {
     {
       const CallMemory inner;
       EXPECT_EQ(CallMemory::current(), &inner);
-      const LargeCall large;
+      const LargeCall large(nullptr);
       EXPECT_EQ(CallMemory::current(), nullptr);
     }
     EXPECT_EQ(CallMemory::current(), &outer);

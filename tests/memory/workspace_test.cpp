@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <atomic>
 #include <utility>
 #include <vector>
 
 #include "generators/hostile.h"
 #include "memory/call_memory.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -101,6 +104,18 @@ TEST(KeptBlocks, longArraysComeBackToTheirOwner) {
   const Array<double> of_no_call(90000);
   EXPECT_NE(of_no_call.data(), place);
   EXPECT_GT(blocks.bytes(), 90000 * sizeof(double));
+}
+
+TEST(KeptBlocks, areTheSameOnAllThreadsOfACall) {
+  KeptBlocks blocks(std::size_t{4} << 20);
+  const LargeCall call(&blocks);
+  std::atomic<int> of_others = 0;
+  tbb::task_arena(4).execute([&] {
+    for_ranges(400, 1, [&](std::size_t begin, std::size_t end) {
+      for (; begin < end; ++begin) of_others += KeptBlocks::current() != &blocks;
+    });
+  });
+  EXPECT_EQ(of_others, 0);
 }
 
 TEST(KeptBlocks, theOldestGoFirst) {

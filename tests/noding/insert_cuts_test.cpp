@@ -25,7 +25,7 @@ TEST(InsertCuts, putsVerticesInTheirEdges) {
   const std::vector<EdgeCut> cuts = {cut(0, {1, 0}), cut(0, {3, 0}), cut(3, {8.5, 8.5})};
   Strands pieces = strands;
   insert_cuts(pieces, cuts);
-  EXPECT_EQ(pieces.points, (Array<Point>{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {9, 9}, {8.5, 8.5}, {8, 8}}));
+  EXPECT_EQ(pieces.points, (LargeArray<Point>{{0, 0}, {1, 0}, {3, 0}, {4, 0}, {4, 4}, {9, 9}, {8.5, 8.5}, {8, 8}}));
   EXPECT_EQ(pieces.ends, (Array<std::uint32_t>{5, 8}));
   constexpr std::uint8_t added = node_flag | added_flag | moved_flag;
   // Only pieces of the cut edge that is near others count as moved; the old mark of the second edge is gone, its node
@@ -42,7 +42,7 @@ TEST(InsertCuts, keepsTheOriginOfEarlierRounds) {
   Strands twice = strands_of({{{0, 0}, {1, 1}, {9, 1}}});
   insert_cuts(twice, std::vector<EdgeCut>{cut(1, {5, 1})});
   insert_cuts(twice, std::vector<EdgeCut>{cut(1, {3, 1}), cut(2, {7, 1})});
-  EXPECT_EQ(twice.points, (Array<Point>{{0, 0}, {1, 1}, {3, 1}, {5, 1}, {7, 1}, {9, 1}}));
+  EXPECT_EQ(twice.points, (LargeArray<Point>{{0, 0}, {1, 1}, {3, 1}, {5, 1}, {7, 1}, {9, 1}}));
   EXPECT_EQ(twice.origin, (Array<std::uint32_t>{0, 1, 1, 1, 1, 2}));
 }
 

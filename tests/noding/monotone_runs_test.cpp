@@ -47,7 +47,7 @@ void expect_monotone(const Strands& strands, const noding::Run& run) {
 TEST(MonotoneRuns, coverEveryEdgeOnceAndNeverTurnBack) {
   generators::Random random(1);
   std::vector<Path> paths;
-  for (int i = 0; i < 200; ++i) paths.push_back(random_path(random, 1 + random.below(40)));
+  for (int i = 0; i < 2000; ++i) paths.push_back(random_path(random, 1 + random.below(40)));
   Path straight;
   for (int i = 0; i < 40; ++i) straight.push_back({1.0 * i, 2.0 * i});
   paths.push_back(straight);

@@ -68,7 +68,7 @@ void expect_pieces_in_place(const Strands& input, const Strands& noded) {
     ASSERT_EQ(noded.points, input.points);
     return;
   }
-  Array<Point> kept;
+  LargeArray<Point> kept;
   for (std::uint32_t v = 0; v < noded.points.size(); ++v) {
     const std::uint32_t origin = noded.origin[v];
     if (!(noded.flags[v] & added_flag)) {

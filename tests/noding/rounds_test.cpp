@@ -43,7 +43,7 @@ class Round {
   }
 
  private:
-  const Array<Point>& points_;
+  const LargeArray<Point>& points_;
   std::vector<std::uint32_t> edges_;
   std::set<std::pair<double, double>> vertices_;
 };

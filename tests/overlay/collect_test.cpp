@@ -43,7 +43,7 @@ TEST(Collect, cleansContours) {
   set.points[0] = {-0.0, 0};
   const Strands strands = collected(set).strands;
   ASSERT_EQ(strands.size(), 1u);
-  EXPECT_EQ(strands.points, (Array<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));  // closed, nothing repeated
+  EXPECT_EQ(strands.points, (LargeArray<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));  // closed, nothing repeated
   for (const Point& p : strands.points) EXPECT_FALSE(std::signbit(p.x) || std::signbit(p.y));
 }
 

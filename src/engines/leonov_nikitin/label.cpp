@@ -33,7 +33,7 @@ struct Component {
   Winding outside = {};         ///< winding numbers of the sector outside it
 };
 
-Box box_of(const Array<Point>& points, const Chain& chain) {
+Box box_of(const LargeArray<Point>& points, const Chain& chain) {
   Box box = Box::of(points[chain.first], points[chain.last]);
   for (std::uint32_t v = chain.first + 1; v < chain.last; ++v) box = box.joined(points[v]);
   return box;
