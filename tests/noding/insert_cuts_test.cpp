@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
+#include "generators/random.h"
 #include "support/strands_of.h"
 
 namespace oblast::noding {
@@ -44,6 +48,37 @@ TEST(InsertCuts, keepsTheOriginOfEarlierRounds) {
   insert_cuts(twice, std::vector<EdgeCut>{cut(1, {3, 1}), cut(2, {7, 1})});
   EXPECT_EQ(twice.points, (LargeArray<Point>{{0, 0}, {1, 1}, {3, 1}, {5, 1}, {7, 1}, {9, 1}}));
   EXPECT_EQ(twice.origin, (Array<std::uint32_t>{0, 1, 1, 1, 1, 2}));
+}
+
+TEST(InsertCuts, inPlaceAndToNewArraysAlike) {
+  generators::Random random(3);
+  std::vector<testing::Path> paths;
+  std::vector<EdgeCut> cuts;
+  for (std::uint32_t vertex = 0; vertex < 50000;) {
+    testing::Path path(static_cast<std::size_t>(random.between(2, 90)));
+    for (std::size_t i = 0; i < path.size(); ++i, ++vertex) {
+      path[i] = {1.0 * vertex, 0};
+      const bool dense = vertex / 5000 % 2 == 0;
+      for (int k = i + 1 < path.size() && random.below(dense ? 2 : 30) == 0 ? 1 + random.below(3) : 0; k > 0; --k)
+        cuts.push_back(cut(vertex, {vertex + 1.0 / (1 + k), 0}));
+    }
+    paths.push_back(path);
+  }
+  Strands crowded = strands_of(paths);
+  for (std::uint8_t& flags : crowded.flags) flags = static_cast<std::uint8_t>(random.below(32));
+  for (std::uint32_t v = 0; v < crowded.points.size(); ++v) crowded.origin.push_back(7 * v);
+  crowded.points.shrink_to_fit();
+  Strands roomy = crowded;
+  roomy.points.reserve(roomy.points.size() + cuts.size());
+  const Point* const place = roomy.points.data();
+  insert_cuts(crowded, cuts);
+  insert_cuts(roomy, cuts);
+  EXPECT_EQ(roomy.points.data(), place);
+  EXPECT_EQ(crowded.points, roomy.points);
+  EXPECT_EQ(crowded.flags, roomy.flags);
+  EXPECT_EQ(crowded.origin, roomy.origin);
+  EXPECT_EQ(crowded.ends, roomy.ends);
+  EXPECT_TRUE(std::is_sorted(crowded.points.begin(), crowded.points.end(), lexicographically_less));
 }
 
 TEST(InsertCuts, withoutCutsChangesNoPoint) {
