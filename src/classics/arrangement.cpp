@@ -102,7 +102,7 @@ OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rin
 
 void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left) {
-  const Array<Winding> right = leonov_nikitin::label(own.graph);
+  const LargeArray<Winding> right = leonov_nikitin::label(own.graph);
   std::vector<std::uint32_t> along(right.size());  // the chains along the rings
   std::iota(along.begin(), along.end(), 0U);
   const auto first_of = [&](std::uint32_t c) { return own.graph.chains[c].first; };

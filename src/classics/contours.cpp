@@ -98,7 +98,7 @@ std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   Array<std::uint8_t> flags(points_.size(), 0);
   flag_repeated(points_, flags);
   const ChainGraph contours = graph(std::move(flags));
-  const Array<Winding> right = leonov_nikitin::label(contours);
+  const LargeArray<Winding> right = leonov_nikitin::label(contours);
   for (std::uint32_t c = 0; c < contours.chains.size(); ++c)
     if (!contours.is_live(c) || right[c].a != 0 || contours.chains[c].change.a != 1) return {};
   return assembled(contours);

@@ -5,6 +5,7 @@
 // 2 MiB are asked for. It is advice: nothing depends on it but time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -83,6 +84,16 @@ template <class T>
 void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
   reserve_in_large_pages(items, count);
   items.resize(count);
+}
+
+/// The same, and fills them, on all cores.
+template <class T>
+void fill_in_large_pages(LargeArray<T>& items, std::size_t count, const T& value) {
+  resize_in_large_pages(items, count);
+  for_ranges(count, large_page / sizeof(T), [&](std::size_t begin, std::size_t end) {
+    std::fill(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
+              value);
+  });
 }
 
 /// Gives the pages past the last element back to the system; the capacity stays.

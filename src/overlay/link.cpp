@@ -17,10 +17,10 @@ struct Paths {
   const ChainGraph& graph;
   const Selection& selection;
   ContourConvention convention;
-  Array<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
-  Array<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
+  LargeArray<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
+  LargeArray<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
   /// By node, for ogc: index in the path of the descriptor that starts there.
-  Array<std::uint32_t> place_on_path;
+  LargeArray<std::uint32_t> place_on_path;
 
   bool leaves(Descriptor d) const { return selection[chain_of(d)] == d; }
   bool arrives(Descriptor d) const { return selection[chain_of(d)] == opposite(d); }
@@ -125,9 +125,9 @@ class Linker {
  public:
   Linker(const ChainGraph& graph, const Selection& selection, ContourConvention convention)
       : paths_{graph, selection, convention, {}, {}, {}} {
-    resize_in_large_pages(paths_.next, graph.chains.size(), none);
-    resize_in_large_pages(paths_.walk_of_chain, graph.chains.size(), none);
-    if (convention == ContourConvention::ogc) resize_in_large_pages(paths_.place_on_path, graph.node_count(), none);
+    fill_in_large_pages(paths_.next, graph.chains.size(), none);
+    fill_in_large_pages(paths_.walk_of_chain, graph.chains.size(), none);
+    if (convention == ContourConvention::ogc) fill_in_large_pages(paths_.place_on_path, graph.node_count(), none);
   }
 
   LinkedContours run() {

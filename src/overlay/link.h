@@ -23,9 +23,9 @@ namespace oblast {
 /// Contours as sequences of descriptors, and the walk each was parted from.
 struct LinkedContours {
   Array<Descriptor> descriptors;
-  Array<std::uint32_t> ends;           ///< by contour
-  Array<std::uint32_t> walk;           ///< by contour
-  Array<std::uint32_t> walk_of_chain;  ///< by chain; none where not selected
+  Array<std::uint32_t> ends;                ///< by contour
+  Array<std::uint32_t> walk;                ///< by contour
+  LargeArray<std::uint32_t> walk_of_chain;  ///< by chain; none where not selected
   std::uint32_t walk_count = 0;
 
   std::span<const Descriptor> contour(std::size_t c) const {

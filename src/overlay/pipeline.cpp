@@ -42,7 +42,7 @@ ChainGraph node_stage(noding::Strands strands, const Options& options, Control& 
   return graph;
 }
 
-Array<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
+LargeArray<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
   control.checkpoint(Stage::label, 0);
   const StageClock clock(control, statistics, Stage::label);
   switch (engine) {
@@ -62,7 +62,7 @@ struct Outline {
 Selection label_and_select(const ChainGraph& graph, Operation operation, const Options& options, Control& control,
                            Statistics& statistics) {
   // 3. label
-  const Array<Winding> right = label_stage(graph, options.engine, control, statistics);
+  const LargeArray<Winding> right = label_stage(graph, options.engine, control, statistics);
 
   // 4. select
   control.checkpoint(Stage::select, 0);

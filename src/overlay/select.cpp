@@ -5,15 +5,17 @@
 
 namespace oblast {
 
-Selection select(const ChainGraph& graph, const Array<Winding>& right, Operation operation, const Options& options) {
+Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
+                 const Options& options) {
   const auto in_result = [&](Winding w) {
     return admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b));
   };
   Selection selection;
-  resize_in_large_pages(selection, graph.chains.size(), none);
+  resize_in_large_pages(selection, graph.chains.size());
   constexpr std::size_t chains_a_task = 32768;
   for_ranges(graph.chains.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+      selection[c] = none;
       if (!graph.is_live(c)) continue;
       const bool right_side = in_result(right[c]), left_side = in_result(right[c] + graph.chains[c].change);
       if (left_side == right_side) continue;

@@ -9,7 +9,7 @@
 namespace oblast {
 
 /// A chain of the result as the descriptor that has the result on its left, or `none`.
-using Selection = Array<Descriptor>;
+using Selection = LargeArray<Descriptor>;
 
 /// Inside or outside of one operand, from its winding number.
 constexpr bool is_inside(const FillRule& rule, std::int32_t winding) {
@@ -46,6 +46,7 @@ constexpr bool admits(Operation operation, bool in_a, bool in_b) {
 }
 
 /// A chain belongs to the result when just one of its sides does. By chain; none for chains not live.
-Selection select(const ChainGraph& graph, const Array<Winding>& right, Operation operation, const Options& options);
+Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
+                 const Options& options);
 
 }  // namespace oblast

@@ -28,7 +28,7 @@ void add_net(RegionSet& region, double x, double y, int n) {
 }
 
 void expect_same_labels(const ChainGraph& graph) {
-  const Array<Winding> scanned = vatti::label(graph), carried = leonov_nikitin::label(graph);
+  const LargeArray<Winding> scanned = vatti::label(graph), carried = leonov_nikitin::label(graph);
   std::size_t different = 0;
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) different += graph.is_live(c) && !(scanned[c] == carried[c]);
   EXPECT_EQ(different, 0u) << "of " << graph.chains.size();

@@ -65,7 +65,7 @@ TEST(WorkedExample, connectivityListOfX) {
 TEST(WorkedExample, labelsOfChains) {
   const RegionSet b = region_b();
   const ChainGraph graph = noded_graph(region_a(), &b, FillRule::polygons());
-  const Array<Winding> right = label(graph);
+  const LargeArray<Winding> right = label(graph);
   const auto label_towards = [&](const Point& p, Region of) {
     for (const Descriptor d : graph.list(node_at(graph, x)))
       if (graph.point(graph.next_vertex(d)) == p)
@@ -83,7 +83,7 @@ TEST(WorkedExample, labelsOfChains) {
 TEST(WorkedExample, tableThreeSelectsTheSameChains) {
   const RegionSet b = region_b();
   const ChainGraph graph = noded_graph(region_a(), &b, FillRule::polygons());
-  const Array<Winding> right = label(graph);
+  const LargeArray<Winding> right = label(graph);
   std::size_t selected = 0;
   for (const Operation op :
        {Operation::intersection, Operation::unite, Operation::difference, Operation::symmetric_difference}) {

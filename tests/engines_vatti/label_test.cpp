@@ -16,7 +16,7 @@ using namespace generators;
 
 /// Live chains labelled; a chain whose labels differ fails the test.
 std::size_t compare(const ChainGraph& graph, const std::string& what) {
-  const Array<Winding> scanned = vatti::label(graph), carried = leonov_nikitin::label(graph);
+  const LargeArray<Winding> scanned = vatti::label(graph), carried = leonov_nikitin::label(graph);
   std::size_t live = 0;
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
     if (!graph.is_live(c)) continue;
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Generators, HostileLabels,
                          [](const auto& generator) { return std::string(generator.param.name); });
 
 /// The label of the chain that lies along y = `y` and runs over x = `x`.
-Winding below_line(const ChainGraph& graph, const Array<Winding>& right, double x, double y) {
+Winding below_line(const ChainGraph& graph, const LargeArray<Winding>& right, double x, double y) {
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
     if (!graph.is_live(c)) continue;
     for (std::uint32_t v = graph.chains[c].first; v < graph.chains[c].last; ++v) {
@@ -72,7 +72,7 @@ TEST(Label, nestedContoursOfBothOperands) {
   add_polygon(b, rectangle(2, 2, 8, 8));
   add_polygon(b, rectangle(20, 0, 22, 2));  // passive
   const ChainGraph graph = noded_graph(a, &b, FillRule::nonzero());
-  const Array<Winding> right = vatti::label(graph);
+  const LargeArray<Winding> right = vatti::label(graph);
   EXPECT_EQ(below_line(graph, right, 5, 0), (Winding{0, 0}));
   EXPECT_EQ(below_line(graph, right, 5, 1), (Winding{1, 0}));
   EXPECT_EQ(below_line(graph, right, 5, 2), (Winding{2, 0}));
@@ -87,7 +87,7 @@ TEST(Label, clockwisePassiveContoursHaveNegativeInsides) {
   RegionSet a;
   for (int i = 0; i < 10; ++i) add_polygon(a, reversed(rectangle(3 * i, 0, 3 * i + 1, 1)));
   const ChainGraph graph = noded_graph(a, nullptr, FillRule::nonzero());
-  const Array<Winding> right = vatti::label(graph);
+  const LargeArray<Winding> right = vatti::label(graph);
   for (int i = 0; i < 10; ++i) {
     EXPECT_EQ(below_line(graph, right, 3 * i + 0.5, 0), (Winding{0, 0}));
     EXPECT_EQ(below_line(graph, right, 3 * i + 0.5, 1), (Winding{-1, 0}));
@@ -99,7 +99,7 @@ TEST(Label, nothingIsLabelledInAnEmptyGraph) { EXPECT_TRUE(vatti::label(ChainGra
 TEST(Label, doesNotReadTheConnectivityLists) {
   const Operands operands = stars(3, 200);
   ChainGraph graph = noded_graph(operands.a, &operands.b, FillRule::nonzero());
-  const Array<Winding> with = vatti::label(graph);
+  const LargeArray<Winding> with = vatti::label(graph);
   graph.lists.clear();
   graph.list_ends.clear();
   EXPECT_EQ(vatti::label(graph), with);
@@ -110,7 +110,7 @@ TEST(Label, deepNestingNeedsNoDeepStack) {
   constexpr int depth = 20000;
   for (int i = 0; i < depth; ++i) add_polygon(a, rectangle(i, i, 2 * depth - i, 2 * depth - i));
   const ChainGraph graph = noded_graph(a, nullptr, FillRule::nonzero());
-  const Array<Winding> right = vatti::label(graph);
+  const LargeArray<Winding> right = vatti::label(graph);
   for (const int i : {0, 1, depth / 2, depth - 1}) EXPECT_EQ(below_line(graph, right, depth, i), (Winding{i, 0}));
 }
 

@@ -42,7 +42,7 @@ TEST(Passive, contoursFarApartAreAllPassive) {
       add_polygon(set, (i + j) % 2 ? ring : reversed(ring));
     }
   const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
-  Array<Winding> right(graph.chains.size(), Winding{7, 7});
+  LargeArray<Winding> right(graph.chains.size(), Winding{7, 7});
   EXPECT_TRUE(vatti::label_passive(graph, live_chains(graph), right).empty());
   EXPECT_EQ(right, leonov_nikitin::label(graph));
 }
@@ -57,7 +57,7 @@ TEST(Passive, contoursInOrAcrossOthersAreActive) {
   add_polygon(set, {{52, 0}, {60, 0}, {60, 6}});
   add_polygon(set, rectangle(100, 100, 101, 101));  // passive
   const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
-  Array<Winding> right(graph.chains.size());
+  LargeArray<Winding> right(graph.chains.size(), Winding{});
   const std::vector<std::uint32_t> live = live_chains(graph);
   const std::vector<std::uint32_t> active = vatti::label_passive(graph, live, right);
   ASSERT_EQ(active.size(), live.size() - 1);
@@ -77,16 +77,16 @@ TEST(Passive, noBoxOfAPassiveContourMeetsAnother) {
     }
     const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
     const std::vector<std::uint32_t> live = live_chains(graph);
-    Array<Winding> right(graph.chains.size());
+    LargeArray<Winding> right(graph.chains.size(), Winding{});
     const std::vector<std::uint32_t> active = vatti::label_passive(graph, live, right);
-    const Array<Winding> expected = leonov_nikitin::label(graph);
+    const LargeArray<Winding> expected = leonov_nikitin::label(graph);
     for (const std::uint32_t c : live) {
       if (std::binary_search(active.begin(), active.end(), c)) continue;
       ++passive_count;
       EXPECT_EQ(right[c], expected[c]);
       for (const std::uint32_t d : live) ASSERT_TRUE(c == d || !box_of(graph, c).meets(box_of(graph, d)));
     }
-    const Array<Winding> all = vatti::label(graph);
+    const LargeArray<Winding> all = vatti::label(graph);
     for (const std::uint32_t c : live) EXPECT_EQ(all[c], expected[c]);
   }
   EXPECT_GT(passive_count, 1000u);

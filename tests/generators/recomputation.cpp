@@ -27,7 +27,7 @@ NodedArrangement arrangement_of(const ChainGraph& graph, const Options& options)
 
 /// Twice the area of the operation's contours, before traces are taken out: then every vertex is one of the
 /// arrangement.
-WideInteger twice_area(const ChainGraph& graph, const Array<Winding>& right, Operation operation,
+WideInteger twice_area(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
                        const Options& options, const NodedArrangement& arrangement) {
   const Selection selection = select(graph, right, operation, options);
   const Rings rings = contours_to_rings(graph, selection, link(graph, selection, options.contours));
@@ -41,7 +41,7 @@ std::optional<std::string> check(const ChainGraph& graph, const Options& options
   const NodedArrangement arrangement = arrangement_of(graph, options);
   if (const auto fault = arrangement.check_settled()) return fault->what;
   const NodedArrangement::Areas areas = arrangement.twice_areas();
-  const Array<Winding> right = leonov_nikitin::label(graph);
+  const LargeArray<Winding> right = leonov_nikitin::label(graph);
   WideInteger chosen[4];
   for (int o = 0; o < 4; ++o) {
     chosen[o] = twice_area(graph, right, static_cast<Operation>(o), options, arrangement);

@@ -43,7 +43,7 @@ class Labelling {
  public:
   explicit Labelling(const ChainGraph& graph) : graph_(graph) {}
 
-  Array<Winding> run() {
+  LargeArray<Winding> run() {
     RelativeLabels labels = label_relatively(graph_);
     right_ = std::move(labels.right);
     find_components(labels);
@@ -64,7 +64,7 @@ class Labelling {
   void find_components(const RelativeLabels& labels) {
     components_.resize(labels.component_count);
     boxes_.resize(labels.component_count);
-    resize_in_large_pages(component_of_, graph_.chains.size(), none);
+    fill_in_large_pages(component_of_, graph_.chains.size(), none);
     const std::size_t chains_a_range = grain(graph_.chains.size(), graph_.strands.points.size());
     Array<Array<Part>> parts(range_count(graph_.chains.size(), chains_a_range));
     for_numbered_ranges(graph_.chains.size(), chains_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
@@ -198,14 +198,14 @@ class Labelling {
   }
 
   const ChainGraph& graph_;
-  Array<Winding> right_;
-  Array<std::uint32_t> component_of_;  ///< by chain; none where it is not live
+  LargeArray<Winding> right_;
+  LargeArray<std::uint32_t> component_of_;  ///< by chain; none where it is not live
   Array<Component> components_;
   Array<Box> boxes_;  ///< by component
 };
 
 }  // namespace
 
-Array<Winding> label(const ChainGraph& graph) { return Labelling(graph).run(); }
+LargeArray<Winding> label(const ChainGraph& graph) { return Labelling(graph).run(); }
 
 }  // namespace oblast::leonov_nikitin

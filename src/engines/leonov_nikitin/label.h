@@ -30,6 +30,6 @@ namespace oblast::leonov_nikitin {
 
 /// By chain: the winding numbers of A and B on its right side; the left side is that plus its change.
 /// Meaningful for live chains only. Cost: O(k + z log z), z connected components.
-Array<Winding> label(const ChainGraph& graph);
+LargeArray<Winding> label(const ChainGraph& graph);
 
 }  // namespace oblast::leonov_nikitin

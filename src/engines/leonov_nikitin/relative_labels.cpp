@@ -181,8 +181,8 @@ void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, c
 
 RelativeLabels label_relatively(const ChainGraph& graph) {
   RelativeLabels labels;
-  resize_in_large_pages(labels.right, graph.chains.size());
-  resize_in_large_pages(labels.component, graph.node_count(), none);
+  fill_in_large_pages(labels.right, graph.chains.size(), Winding{});
+  fill_in_large_pages(labels.component, graph.node_count(), none);
   const auto node_count = static_cast<std::uint32_t>(graph.node_count());
   if (node_count <= range_size) {
     RangeLabelling all(graph, 0, node_count, labels);

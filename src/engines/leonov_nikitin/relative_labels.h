@@ -17,8 +17,8 @@
 namespace oblast::leonov_nikitin {
 
 struct RelativeLabels {
-  Array<Winding> right;            ///< by chain that is no loop: winding numbers on its right side
-  Array<std::uint32_t> component;  ///< by node: what it is connected to; none where no chain ends
+  LargeArray<Winding> right;            ///< by chain that is no loop: winding numbers on its right side
+  LargeArray<std::uint32_t> component;  ///< by node: what it is connected to; none where no chain ends
   std::uint32_t component_count = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 class Scan {
  public:
-  Scan(const ChainGraph& graph, std::span<const std::uint32_t> chains, Array<Winding>& right)
+  Scan(const ChainGraph& graph, std::span<const std::uint32_t> chains, LargeArray<Winding>& right)
       : bounds_(find_bounds(graph, chains)),
         right_(right),
         finishing_(bounds_.stop_count(), none),
@@ -62,15 +62,15 @@ class Scan {
   }
 
   const Bounds bounds_;
-  Array<Winding>& right_;
+  LargeArray<Winding>& right_;
   std::vector<Slot> finishing_;  ///< by stop: slot of an active bound that finishes there
   ActiveEdges active_;
 };
 
 }  // namespace
 
-Array<Winding> label(const ChainGraph& graph) {
-  Array<Winding> right(graph.chains.size());
+LargeArray<Winding> label(const ChainGraph& graph) {
+  LargeArray<Winding> right(graph.chains.size(), Winding{});
   std::vector<std::uint32_t> chains;
   std::size_t loops = 0;
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {

@@ -36,6 +36,6 @@ namespace oblast::vatti {
 
 /// By chain: the winding numbers of A and B on its right side; the left side is that plus its change.
 /// Meaningful for live chains only. Reads the graph's strands and chains alone, not its connectivity lists.
-Array<Winding> label(const ChainGraph& graph);
+LargeArray<Winding> label(const ChainGraph& graph);
 
 }  // namespace oblast::vatti

@@ -105,7 +105,7 @@ bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
 }  // namespace
 
 std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
-                                         Array<Winding>& right) {
+                                         LargeArray<Winding>& right) {
   // Extents by component: a closed chain without nodes has one of its own, numbered behind the nodes.
   DisjointSets components(graph.node_count());
   for (const std::uint32_t c : chains)
