@@ -71,17 +71,17 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
 RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   constexpr std::size_t rings_a_task = 1024;
   Array<Rotation> rotations(rings.size(), Rotation(rings));
+  Array<PolygonKey> polygons(nesting.polygon_count);
   for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r) rotations[r] = canonical_rotation(rings, r);
+    for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
+      rotations[r] = canonical_rotation(rings, r);
+      if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
+    }
   });
 
   // Polygons by their outer rings; the rings of each together, the outer one first.
-  Array<PolygonKey> polygons(nesting.polygon_count);
   Array<std::uint32_t> ends(nesting.polygon_count + 1, 0);
-  for (std::uint32_t r = 0; r < rings.size(); ++r) {
-    if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
-    ++ends[nesting.polygon[r] + 1];
-  }
+  for (const std::uint32_t polygon : nesting.polygon) ++ends[polygon + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   Array<std::uint32_t> members(rings.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
@@ -96,7 +96,13 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   Array<std::uint32_t> order;  // of the rings in the result
   order.reserve(rings.size());
   std::uint32_t size = 0;
-  for (const PolygonKey& polygon : polygons) {
+  for (std::size_t p = 0; p < polygons.size(); ++p) {
+    const PolygonKey& polygon = polygons[p];
+    if (p + fetched_ahead < polygons.size()) {
+      const PolygonKey& later = polygons[p + fetched_ahead];
+      fetch_around(ends, later.index);
+      fetch(&rotations[later.outer]);
+    }
     // ends[p] has moved from the beginning of the polygon's rings to their end.
     const auto first = members.begin() + (polygon.index == 0 ? 0 : ends[polygon.index - 1]);
     const auto last = members.begin() + ends[polygon.index];
