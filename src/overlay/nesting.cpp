@@ -25,8 +25,8 @@ Smallest look_at_smallest(const Rings& rings, std::size_t ring) {
   const Point p = rings.points[begin + first];
   for (std::uint32_t v = begin + first, past = repeated ? end : v + 1; v < past; ++v) {
     if (rings.points[v] != p) continue;
-    const Point& before = rings.points[v == begin ? end - 1 : v - 1];
-    const Point& after = rings.points[v + 1 == end ? begin : v + 1];
+    const Point& before = rings.points[rings.before(ring, v)];
+    const Point& after = rings.points[rings.after(ring, v)];
     found.arrival = {p, before};
     found.outer = exact::orientation(before, p, after) > 0;
     if (!found.outer) break;

@@ -48,7 +48,7 @@ Straightened straighten(const Rings& rings) {
       } else {
         s.strands.flags.back() = noding::moved_flag;
       }
-      v = v + 1 == end ? begin : v + 1;
+      v = rings.after(r, v);
     } while (v != first);
     s.strands.points.push_back(rings.points[first]);
     s.strands.flags.push_back(0);
@@ -140,7 +140,7 @@ class ConflictFinder {
     std::uint32_t v = from;
     do {
       visit(rings_.points[v]);
-      v = v + 1 == rings_.ends[ring] ? rings_.begin(ring) : v + 1;
+      v = rings_.after(ring, v);
     } while (v != to);
     visit(rings_.points[to]);
   }
@@ -201,9 +201,8 @@ class ConflictFinder {
 /// Gives the trace vertices after `vertex` back, up to the next that stays.
 void restore_after(Rings& rings, std::uint32_t vertex) {
   const std::size_t ring = rings.ring_of(vertex);
-  const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
   for (std::uint32_t v = vertex;;) {
-    v = v + 1 == end ? begin : v + 1;
+    v = rings.after(ring, v);
     if (!(rings.flags[v] & trace_vertex)) return;
     rings.flags[v] = static_cast<std::uint8_t>((rings.flags[v] & ~trace_vertex) | restored_vertex);
   }

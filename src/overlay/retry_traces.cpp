@@ -19,10 +19,9 @@ struct Links {
 
   explicit Links(const Rings& rings) : before(rings.points.size()), after(rings.points.size()) {
     for (std::size_t r = 0; r < rings.size(); ++r) {
-      const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
-      for (std::uint32_t v = begin; v < end; ++v) {
-        before[v] = (v == begin ? end : v) - 1;
-        after[v] = v + 1 == end ? begin : v + 1;
+      for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
+        before[v] = rings.before(r, v);
+        after[v] = rings.after(r, v);
       }
     }
   }

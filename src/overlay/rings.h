@@ -24,6 +24,12 @@ struct Rings {
 
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
+  std::uint32_t before(std::size_t ring, std::uint32_t vertex) const {
+    return vertex == begin(ring) ? ends[ring] - 1 : vertex - 1;
+  }
+  std::uint32_t after(std::size_t ring, std::uint32_t vertex) const {
+    return vertex + 1 == ends[ring] ? begin(ring) : vertex + 1;
+  }
   std::size_t ring_of(std::uint32_t vertex) const {
     return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), vertex) - ends.begin());
   }
