@@ -62,7 +62,7 @@ std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * di
 /// arrays in a few ranges side by side: first how many of each digit a range has, then to where they go is known.
 /// REQUIRES: items.
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
-  constexpr std::size_t items_a_range = 1 << 18;
+  constexpr std::size_t items_a_range = 1 << 16;
   const std::size_t ranges = range_count(from.size(), items_a_range);
   Array<Counts> more(ranges - 1);  // of all ranges but the last
   const auto counts_of = [&](std::size_t range) -> Counts& { return range + 1 < ranges ? more[range] : ends; };

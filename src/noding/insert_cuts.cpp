@@ -102,10 +102,11 @@ class CutCopy {
   }
 
   void run() {
-    constexpr std::size_t vertices_a_range = 1 << 14;
-    for_ranges(strands_.points.size(), vertices_a_range, [&](std::size_t begin, std::size_t end) {
-      copy(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-    });
+    // Cuts may be many to a vertex.
+    for_ranges(strands_.points.size(), grain(strands_.points.size(), cuts_.size()),
+               [&](std::size_t begin, std::size_t end) {
+                 copy(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+               });
   }
 
   LargeArray<Point> points;
