@@ -321,11 +321,7 @@ Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) 
   }
   Strands result;
   result.parity = strands.parity;
-  result.points.resize(ends.back().points);
-  result.ends.resize(ends.back().strands);
-  result.change.resize(ends.back().strands);
-  result.group.resize(ends.back().strands);
-  result.simplicity.resize(ends.back().strands);
+  result.resize(ends.back().points, ends.back().strands);
   for_numbered_ranges(strands.size(), strands_a_range, [&](std::size_t i, std::size_t first, std::size_t past) {
     remainder.write(first, past, ends[i], result);
   });

@@ -81,6 +81,15 @@ struct Strands {
   std::uint32_t begin(std::size_t strand) const { return strand == 0 ? 0 : ends[strand - 1]; }
   std::size_t size() const { return ends.size(); }
 
+  /// Origins and flags stay as they are: they come with noding.
+  void resize(std::size_t vertices, std::size_t count) {
+    points.resize(vertices);
+    ends.resize(count);
+    change.resize(count);
+    group.resize(count);
+    simplicity.resize(count);
+  }
+
   /// Ends the strand whose points were appended last.
   void close_strand(Winding winding, Group strand_group, Simplicity strand_simplicity = Simplicity::known) {
     ends.push_back(static_cast<std::uint32_t>(points.size()));

@@ -55,8 +55,7 @@ class PolygonReader {
   /// For polygons [begin, end), which are not none.
   void make_room(std::size_t begin, std::size_t end, Strands& strands) const {
     const std::uint32_t first = operand_.polygon_begin(begin), past = operand_.polygon_end(end - 1);
-    const std::uint32_t first_vertex = first < past ? operand_.contour_begin(first) : 0;
-    reserve(strands, first < past ? operand_.contour_ends[past - 1] - first_vertex : 0, past - first);
+    reserve(strands, operand_.contour_begin(past) - operand_.contour_begin(first), past - first);
   }
 
   /// Appends polygons [begin, end) to the strands; the number of those whose rings were found to meet.
@@ -165,11 +164,7 @@ void append(Strands& to, Array<Strands>& parts) {
     points += part.points.size();
     count += part.size();
   }
-  to.points.resize(points);
-  to.ends.resize(count);
-  to.change.resize(count);
-  to.group.resize(count);
-  to.simplicity.resize(count);
+  to.resize(points, count);
   for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       put(parts[i], to, first_point[i], first_strand[i]);

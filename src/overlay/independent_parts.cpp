@@ -122,11 +122,7 @@ Strands only_batch(Strands strands, const IndependentParts& parts, std::size_t b
     }
     begin = end;
   }
-  strands.points.resize(size);
-  strands.ends.resize(count);
-  strands.change.resize(count);
-  strands.group.resize(count);
-  strands.simplicity.resize(count);
+  strands.resize(size, count);
   return strands;
 }
 

@@ -1,6 +1,5 @@
 #include "overlay/pipeline.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include "overlay/node_strands.h"
 #include "overlay/rings.h"
 #include "overlay/select.h"
+#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -167,15 +167,17 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   std::atomic<bool> touches = false;
   std::atomic<std::size_t> finished = 0;
   Batches batches(std::move(strands), parts);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    // A thread that waits inside a part must not begin another one there: waits would nest.
-    tbb::this_task_arena::isolate([&] {
-      PipelineResult result = overlay_strands(batches.take(i), operation, options, control, done[i]);
-      regions[i] = std::move(result.regions);
-      if (result.touches) touches = true;
-    });
-    const auto count = static_cast<double>(++finished);
-    control.checkpoint(Stage::node, count / static_cast<double>(parts.size()));
+  for_ranges(parts.size(), 1, [&](std::size_t i, std::size_t past) {
+    for (; i < past; ++i) {
+      // A thread that waits inside a part must not begin another one there: waits would nest.
+      tbb::this_task_arena::isolate([&] {
+        PipelineResult result = overlay_strands(batches.take(i), operation, options, control, done[i]);
+        regions[i] = std::move(result.regions);
+        if (result.touches) touches = true;
+      });
+      const auto count = static_cast<double>(++finished);
+      control.checkpoint(Stage::node, count / static_cast<double>(parts.size()));
+    }
   });
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   add_parts(done, elapsed.count(), statistics);
