@@ -13,6 +13,7 @@
 #include <new>
 #include <vector>
 
+#include "base/call.h"
 #include "memory/kept_blocks.h"
 
 namespace oblast {
@@ -30,17 +31,20 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-/// The memory of one small call, from its making to its end, for the thread that makes it. Nothing outlives it: what a
-/// call returns is made of plain vectors.
+/// The memory of one small call (Call::memory), for the thread that makes it. Nothing outlives it: what a call returns
+/// is made of plain vectors.
 class CallMemory {
  public:
-  CallMemory() : outer_(current_) { current_ = this; }
+  CallMemory() = default;
   CallMemory(const CallMemory&) = delete;
   CallMemory& operator=(const CallMemory&) = delete;
-  ~CallMemory() { current_ = outer_; }
+  ~CallMemory() = default;
 
   /// Of the small call that this thread is in; null in none.
-  static CallMemory* current() { return current_; }
+  static CallMemory* current() {
+    const Call* const call = Call::current();
+    return call ? call->memory : nullptr;
+  }
 
   /// Null where it is used up.
   void* take(std::size_t bytes) {
@@ -68,8 +72,6 @@ class CallMemory {
   }
 
  private:
-  friend class LargeCall;
-
   struct Freed {
     Freed* next;
   };
@@ -79,32 +81,9 @@ class CallMemory {
     return static_cast<std::size_t>(std::bit_width((bytes - (bytes > 0)) / smallest_block));
   }
 
-  inline static constinit thread_local CallMemory* current_ = nullptr;
-
-  CallMemory* outer_;  ///< a call may be made from within another's progress function
   std::size_t used_ = 0;
   std::array<Freed*, class_count> freed_{};
   alignas(64) std::array<std::byte, capacity> memory_;  // not written before it is used
-};
-
-/// While it lives, this thread works for a call that is not small, and has the blocks of its workspace; null: of none.
-/// What a call does on other threads takes this along.
-class LargeCall {
- public:
-  explicit LargeCall(KeptBlocks* blocks) : outer_(CallMemory::current_), outer_blocks_(KeptBlocks::current_) {
-    CallMemory::current_ = nullptr;
-    KeptBlocks::current_ = blocks;
-  }
-  LargeCall(const LargeCall&) = delete;
-  LargeCall& operator=(const LargeCall&) = delete;
-  ~LargeCall() {
-    CallMemory::current_ = outer_;
-    KeptBlocks::current_ = outer_blocks_;
-  }
-
- private:
-  CallMemory* outer_;
-  KeptBlocks* outer_blocks_;
 };
 
 template <class T>

@@ -4,6 +4,8 @@
 
 #include <new>
 
+#include "base/call.h"
+
 namespace oblast {
 namespace {
 
@@ -63,7 +65,8 @@ void KeptBlocks::keep(Header* header) {
 void* take_block(std::size_t bytes) {
   if (bytes < shortest) return ::operator new(bytes);
   const std::size_t with_header = bytes + sizeof(KeptBlocks::Header);
-  KeptBlocks* const owner = KeptBlocks::current_;
+  const Call* const call = Call::current();
+  KeptBlocks* const owner = call ? call->blocks : nullptr;
   KeptBlocks::Header* header = owner ? owner->take(with_header) : nullptr;
   if (!header) {
     header = new (::operator new(with_header)) KeptBlocks::Header{owner, with_header};

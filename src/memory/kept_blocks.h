@@ -19,15 +19,11 @@ class KeptBlocks {
   KeptBlocks& operator=(const KeptBlocks&) = delete;
   ~KeptBlocks() { clear(); }
 
-  /// Those of the call that this thread works for; null where it has no workspace.
-  static KeptBlocks* current() { return current_; }
-
   std::size_t most_bytes() const { return most_bytes_; }
   std::size_t bytes() const;
   void clear();
 
  private:
-  friend class LargeCall;
   friend void* take_block(std::size_t bytes);
   friend void give_block_back(void* block, std::size_t bytes);
 
@@ -37,16 +33,14 @@ class KeptBlocks {
   void keep(Header* header);
   void drop_oldest();
 
-  inline static constinit thread_local KeptBlocks* current_ = nullptr;
-
   std::size_t most_bytes_;
   mutable std::mutex mutex_;
   std::size_t bytes_ = 0;
   std::vector<Header*> free_;  ///< the oldest first; has room for all that there can be
 };
 
-/// Memory of an array: of the current workspace, where there is one and the array is long, or the system's. Throws
-/// std::bad_alloc.
+/// Memory of an array: of the workspace of the call that this thread works for, where there is one and the array is
+/// long, or the system's. Throws std::bad_alloc.
 void* take_block(std::size_t bytes);
 /// REQUIRES: the same size.
 void give_block_back(void* block, std::size_t bytes);

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "memory/call_memory.h"
 #include "memory/pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 

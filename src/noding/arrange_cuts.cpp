@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.h"
 #include "noding/monotone_runs.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

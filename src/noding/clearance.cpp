@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

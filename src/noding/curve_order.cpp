@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

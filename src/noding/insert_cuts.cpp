@@ -10,8 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

@@ -1,7 +1,6 @@
 #include "noding/meetings.h"
 
 #include <oblast/domain.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
@@ -21,7 +21,6 @@
 #include "noding/largest_ulp.h"
 #include "noding/pair_finder.h"
 #include "noding/point_hash.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -354,7 +353,7 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
   LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->distance() : 0);
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
-  std::optional<tbb::enumerable_thread_specific<Found>> by_thread;
+  std::optional<PerThread<Found>> by_thread;
   if (parallel) by_thread.emplace();
   const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();

@@ -4,10 +4,10 @@
 #include <bit>
 #include <utility>
 
+#include "base/parallel.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/point_hash.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

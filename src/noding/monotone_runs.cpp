@@ -4,8 +4,8 @@
 #include <bit>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {

@@ -1,16 +1,14 @@
 #include "noding/pair_finder.h"
 
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "noding/cell_cut.h"
 #include "noding/coarse_boxes.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::noding {
 namespace {
@@ -99,9 +97,7 @@ class Finder {
       split(std::move(runs), Cell{});
       return;
     }
-    tbb::task_group tasks;
-    split_in_parallel(std::move(runs), Cell{}, tasks);
-    tasks.wait();
+    TaskGroup::run([&](TaskGroup& tasks) { split_in_parallel(std::move(runs), Cell{}, tasks); });
   }
 
  private:
@@ -182,7 +178,7 @@ class Finder {
     return left_end;
   }
 
-  void split_in_parallel(LargeArray<Entry> entries, Cell cell, tbb::task_group& tasks) {
+  void split_in_parallel(LargeArray<Entry> entries, Cell cell, TaskGroup& tasks) {
     if (one_group(entries)) return;
     CellCut cut;
     if (entries.size() > runs_of_one_thread) {
@@ -202,10 +198,7 @@ class Finder {
     // What was right of the cut is there twice else while the left is divided further.
     release_unused_pages(entries);
     const auto [left_cell, right_cell] = cell.halves(cut);
-    tasks.run([this, &tasks, right, c = right_cell, blocks = KeptBlocks::current()] {
-      const LargeCall call(blocks);
-      split_in_parallel(std::move(*right), c, tasks);
-    });
+    tasks.add([this, &tasks, right, c = right_cell] { split_in_parallel(std::move(*right), c, tasks); });
     split_in_parallel(std::move(entries), left_cell, tasks);
   }
 

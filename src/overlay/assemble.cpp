@@ -1,13 +1,11 @@
 #include "overlay/assemble.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "overlay/smallest_vertex.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -85,7 +83,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   Array<std::uint32_t> members(rings.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
-  tbb::parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
+  parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
     return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
   });
 
@@ -140,7 +138,7 @@ RegionSet join(Array<RegionSet> parts) {
       polygons.push_back({view.points[view.contour_begin(view.polygon_begin(p))], i, p, 0, 0});
   }
   // Of one part polygons are in order already, also where two start at the same vertex.
-  tbb::parallel_sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
+  parallel_sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
     if (p.first != q.first) return lexicographically_less(p.first, q.first);
     return p.index < q.index;
   });

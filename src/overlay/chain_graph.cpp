@@ -12,11 +12,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/angular_order.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "base/parallel.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "overlay/rings.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -4,11 +4,11 @@
 #include <atomic>
 #include <optional>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "noding/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/disjoint_sets.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "overlay/connected_boxes.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

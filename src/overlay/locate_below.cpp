@@ -1,16 +1,14 @@
 #include "overlay/locate_below.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -132,10 +130,10 @@ void Sweep::run(Array<Below>& answers) {
   std::iota(finishes.begin(), finishes.end(), 0U);
   start_points_.resize(runs_.size());
   for (std::size_t r = 0; r < runs_.size(); ++r) start_points_[r] = point(runs_[r].cursor);
-  tbb::parallel_sort(starts.begin(), starts.end(), [&](std::uint32_t r, std::uint32_t s) {
+  parallel_sort(starts.begin(), starts.end(), [&](std::uint32_t r, std::uint32_t s) {
     return lexicographically_less(start_points_[r], start_points_[s]);
   });
-  tbb::parallel_sort(finishes.begin(), finishes.end(), [&](std::uint32_t r, std::uint32_t s) {
+  parallel_sort(finishes.begin(), finishes.end(), [&](std::uint32_t r, std::uint32_t s) {
     return lexicographically_less(point(runs_[r].end), point(runs_[s].end));
   });
 
@@ -184,9 +182,8 @@ Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t
   if (queries.empty()) return {};
   Array<std::uint32_t> order(queries.size());
   std::iota(order.begin(), order.end(), 0U);
-  tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return lexicographically_less(queries[i].p, queries[j].p);
-  });
+  parallel_sort(order.begin(), order.end(),
+                [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(queries[i].p, queries[j].p); });
   // Slabs side by side, one a core: each has a sweep of its own, over the runs that hold a query of its.
   constexpr std::size_t fewest_queries = 8;
   const std::size_t queries_a_slab = std::max(fewest_queries, range_count(order.size(), core_count()));

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 #include "overlay/locate_below.h"
 #include "overlay/smallest_vertex.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

@@ -1,10 +1,10 @@
 #include "overlay/node_strands.h"
 
+#include "base/parallel.h"
 #include "memory/call_memory.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

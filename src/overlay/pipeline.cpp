@@ -1,12 +1,11 @@
 #include "overlay/pipeline.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <optional>
 
+#include "base/parallel.h"
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
 #include "engines/vatti/label.h"
@@ -20,7 +19,6 @@
 #include "overlay/node_strands.h"
 #include "overlay/rings.h"
 #include "overlay/select.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -170,7 +168,7 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   for_ranges(parts.size(), 1, [&](std::size_t i, std::size_t past) {
     for (; i < past; ++i) {
       // A thread that waits inside a part must not begin another one there: waits would nest.
-      tbb::this_task_arena::isolate([&] {
+      isolated([&] {
         PipelineResult result = overlay_strands(batches.take(i), operation, options, control, done[i]);
         regions[i] = std::move(result.regions);
         if (result.touches) touches = true;

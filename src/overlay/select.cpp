@@ -1,7 +1,7 @@
 #include "overlay/select.h"
 
+#include "base/parallel.h"
 #include "memory/large_pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 

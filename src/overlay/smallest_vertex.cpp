@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/parallel.h"
 #include "memory/call_memory.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {

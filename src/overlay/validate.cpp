@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "parallel/for_ranges.h"
+#include "base/parallel.h"
 
 namespace oblast {
 namespace {

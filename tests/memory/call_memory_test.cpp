@@ -15,9 +15,18 @@ namespace {
 
 using generators::Random;
 
+/// A small call with its memory.
+struct SmallCall {
+  SmallCall() { call.memory = &memory; }
+
+  CallMemory memory;
+  Call call;
+  WorkingFor working{call};
+};
+
 TEST(CallMemory, arraysKeepWhatIsTheirs) {
   Random random(1);
-  const CallMemory memory;
+  const SmallCall small;
   Array<Array<std::uint32_t>> arrays(40);
   Array<std::uint32_t> first(arrays.size(), 0);
   for (std::uint32_t round = 0; round < 4000; ++round) {
@@ -33,7 +42,7 @@ TEST(CallMemory, arraysKeepWhatIsTheirs) {
 
 TEST(CallMemory, whatIsFreedIsTakenAgain) {
   if (sanitized) GTEST_SKIP() << "every array is the system's";
-  CallMemory memory;
+  const SmallCall small;
   const Array<int> other(10);
   const int* place = nullptr;
   for (int i = 0; i < 100000; ++i) {
@@ -58,7 +67,7 @@ TEST(CallMemory, usedUpOrTooSmallItSaysSo) {
 TEST(CallMemory, whatIsNotFromItGoesWhereItIsFrom) {
   Array<int> before(100, 1);
   {
-    const CallMemory memory;
+    const SmallCall small;
     before = Array<int>(1 << 20, 2);
     before = Array<int>(100, 3);
     EXPECT_EQ(std::accumulate(before.begin(), before.end(), 0), 300);
@@ -72,15 +81,16 @@ TEST(CallMemory, whatIsNotFromItGoesWhereItIsFrom) {
 TEST(CallMemory, belongsToTheInnermostCall) {
   EXPECT_EQ(CallMemory::current(), nullptr);
   {
-    const CallMemory outer;
-    EXPECT_EQ(CallMemory::current(), &outer);
+    const SmallCall outer;
+    EXPECT_EQ(CallMemory::current(), &outer.memory);
     {
-      const CallMemory inner;
-      EXPECT_EQ(CallMemory::current(), &inner);
-      const LargeCall large(nullptr);
+      const SmallCall inner;
+      EXPECT_EQ(CallMemory::current(), &inner.memory);
+      Call large;
+      const WorkingFor working(large);
       EXPECT_EQ(CallMemory::current(), nullptr);
     }
-    EXPECT_EQ(CallMemory::current(), &outer);
+    EXPECT_EQ(CallMemory::current(), &outer.memory);
   }
   EXPECT_EQ(CallMemory::current(), nullptr);
 }

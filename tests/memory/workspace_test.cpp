@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <atomic>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "generators/hostile.h"
 #include "memory/call_memory.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast {
 namespace {
@@ -90,7 +89,9 @@ TEST(KeptBlocks, longArraysComeBackToTheirOwner) {
   KeptBlocks blocks(std::size_t{4} << 20);
   const void* place = nullptr;
   {
-    const LargeCall call(&blocks);
+    Call call;
+    call.blocks = &blocks;
+    const WorkingFor working(call);
     Array<double> array(100000, 1.5);
     place = array.data();
     array = Array<double>();
@@ -108,11 +109,12 @@ TEST(KeptBlocks, longArraysComeBackToTheirOwner) {
 
 TEST(KeptBlocks, areTheSameOnAllThreadsOfACall) {
   KeptBlocks blocks(std::size_t{4} << 20);
-  const LargeCall call(&blocks);
+  Call call;
+  call.blocks = &blocks;
   std::atomic<int> of_others = 0;
-  tbb::task_arena(4).execute([&] {
+  run_call(call, 4, [&] {
     for_ranges(400, 1, [&](std::size_t begin, std::size_t end) {
-      for (; begin < end; ++begin) of_others += KeptBlocks::current() != &blocks;
+      for (; begin < end; ++begin) of_others += Call::current()->blocks != &blocks;
     });
   });
   EXPECT_EQ(of_others, 0);
@@ -120,7 +122,9 @@ TEST(KeptBlocks, areTheSameOnAllThreadsOfACall) {
 
 TEST(KeptBlocks, theOldestGoFirst) {
   KeptBlocks blocks(std::size_t{1} << 20);
-  const LargeCall call(&blocks);
+  Call call;
+  call.blocks = &blocks;
+  const WorkingFor working(call);
   for (std::size_t size = 100000; size < 900000; size += 100000) Array<char>(size, 'a');
   EXPECT_LE(blocks.bytes(), std::size_t{1} << 20);
   EXPECT_GT(blocks.bytes(), 800000u);

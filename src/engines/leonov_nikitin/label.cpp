@@ -13,13 +13,13 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
 #include "overlay/enclosing_boxes.h"
 #include "overlay/locate_below.h"
 #include "overlay/smallest_vertex.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::leonov_nikitin {
 namespace {

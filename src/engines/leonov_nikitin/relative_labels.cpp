@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
-#include "parallel/for_ranges.h"
 
 namespace oblast::leonov_nikitin {
 namespace {

@@ -1,12 +1,9 @@
 // Bounds of chains, and the stops of the scan line in order.
 #include "engines/vatti/bounds.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 
 namespace oblast::vatti {
@@ -89,8 +86,8 @@ class Finder {
 /// `place_of` gets, by number of a stop, its place in the order.
 std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_of) {
   std::vector<PlacedStop>& placed = found.stops();
-  tbb::parallel_sort(placed.begin(), placed.end(),
-                     [](const PlacedStop& r, const PlacedStop& s) { return lexicographically_less(r.p, s.p); });
+  parallel_sort(placed.begin(), placed.end(),
+                [](const PlacedStop& r, const PlacedStop& s) { return lexicographically_less(r.p, s.p); });
   place_of.resize(found.stop_count());
   std::vector<Stop> stops(placed.size() + 1);
   for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -113,9 +110,9 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
 
   // Step 3: bounds to their places.
   result.bounds.resize(found.bounds().size());
-  using Range = tbb::blocked_range<std::size_t>;
-  tbb::parallel_for(Range(0, found.bounds().size(), 4096), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  constexpr std::size_t elements_a_task = 4096;
+  for_ranges(found.bounds().size(), elements_a_task, [&](std::size_t first, std::size_t past) {
+    for (std::size_t i = first; i < past; ++i) {
       const FoundBound& b = found.bounds()[i];
       const std::uint32_t at = result.stops[place_of[b.start]].bounds_begin + b.rank;
       const Winding change = graph.chains[b.chain].change;
@@ -130,8 +127,8 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
   });
 
   // Step 4: at each stop from below to above.
-  tbb::parallel_for(Range(0, result.stop_count(), 4096), [&](const Range& range) {
-    for (std::size_t s = range.begin(); s < range.end(); ++s) {
+  for_ranges(result.stop_count(), elements_a_task, [&](std::size_t first, std::size_t past) {
+    for (std::size_t s = first; s < past; ++s) {
       const auto begin = result.bounds.begin() + result.stops[s].bounds_begin;
       const auto end = result.bounds.begin() + result.stops[s + 1].bounds_begin;
       if (end - begin < 2) continue;

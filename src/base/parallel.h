@@ -1,0 +1,238 @@
+// Work on all cores: the only place of the library that calls oneTBB (tools/lint sees to it).
+//
+//   run_call                          a call's work, on as many threads as it may have
+//   for_ranges, for_numbered_ranges   loops over ranges of indices
+//   parallel_sort
+//   TaskGroup                         tasks that give rise to others
+//   PerThread                         an object a thread
+//   isolated                          a thread that waits in here begins nothing from outside
+//
+// A loop that returns has run all of its bodies; otherwise it throws (call.h). oneTBB's own way is not used: where a
+// task throws, it cancels the group, and loops nested in other tasks then return without having run their bodies, as if
+// they had. So nothing is thrown into oneTBB, and each loop has a context of its own that nobody else can cancel: no
+// other loop of the call, and no caller whose own tasks call the library.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "base/call.h"
+
+namespace oblast {
+
+/// Does the work of a call on up to `threads` threads (0: all of those that the caller's arena has), this one among
+/// them, and throws what it threw. With one thread nothing is asked of the scheduler.
+template <class Work>
+void run_call(Call& call, int threads, const Work& work) {
+  const auto whole = [&] {
+    if (threads != 1) call.cores = tbb::this_task_arena::max_concurrency();
+    call.attempt([&] {
+      const WorkingFor working(call);
+      work();
+    });
+  };
+  if (threads == 1)
+    whole();
+  else if (threads == 0)
+    // A thread that waits for others of this call does nothing else of the caller's meanwhile.
+    tbb::this_task_arena::isolate(whole);
+  else
+    tbb::task_arena(threads).execute(whole);
+  call.rethrow();
+}
+
+/// The same for work that is in no call, as where a test calls a stage by itself; in a call nothing but work().
+template <class Work>
+void within_call(const Work& work) {
+  if (Call::current()) return work();
+  Call call;
+  run_call(call, 0, work);
+}
+
+/// On how many cores loops work: on one in a small call.
+inline std::size_t core_count() {
+  const Call* const call = Call::current();
+  return static_cast<std::size_t>(call ? call->cores : tbb::this_task_arena::max_concurrency());
+}
+
+/// A thread that waits within work() begins no task from outside of it: waits would nest.
+template <class Work>
+void isolated(const Work& work) {
+  if (core_count() == 1)
+    work();
+  else
+    tbb::this_task_arena::isolate(work);
+}
+
+namespace detail {
+
+/// Ranges of one task, no longer than the grain, so that each call of the body is short.
+template <class Body>
+void run_ranges(Call& call, std::size_t begin, std::size_t end, std::size_t grain, const Body& body) {
+  for (std::size_t next = begin; begin < end; begin = next) {
+    next = end - begin > grain ? begin + grain : end;
+    call.poll();
+    body(begin, next);
+  }
+}
+
+template <class Body>
+void share_ranges(Call& call, std::size_t count, std::size_t grain, const Body& body) {
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, grain),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        call.attempt([&] {
+          const WorkingFor working(call);
+          run_ranges(call, range.begin(), range.end(), grain, body);
+        });
+      },
+      tbb::auto_partitioner(), context);
+  if (call.stopped() || context.is_group_execution_cancelled()) throw Stopped{};
+}
+
+}  // namespace detail
+
+/// Calls body(begin, end) for ranges of [0, count) of at most `grain` indices, side by side where there are more. A
+/// small call stays clear of the scheduler, whose start costs as much as overlaying a few dozen edges.
+/// REQUIRES: grain > 0.
+template <class Body>
+void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
+  Call* const call = Call::current();
+  if (count <= grain || (call && call->memory)) {
+    if (count > 0) body(std::size_t{0}, count);
+  } else if (!call) {
+    within_call([&] { for_ranges(count, grain, body); });
+  } else if (call->cores == 1) {
+    detail::run_ranges(*call, 0, count, grain, body);
+  } else {
+    detail::share_ranges(*call, count, grain, body);
+  }
+}
+
+/// So many of `count` indices that have about 2^15 of `parts` parts: the grain of a loop over parts, as the vertices of
+/// chains, where they may be many to an index or few.
+constexpr std::size_t grain(std::size_t count, std::size_t parts) {
+  constexpr std::size_t parts_a_task = 1 << 15;
+  return 1 + parts_a_task * count / (count + parts + 1);
+}
+
+/// How many ranges of `size` indices, the last of them shorter, make up [0, count).
+constexpr std::size_t range_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
+
+/// Calls body(i, begin, end) for the i-th of these ranges, side by side: the same ones on any number of cores, so that
+/// what is found in each can be kept by its number.
+template <class Body>
+void for_numbered_ranges(std::size_t count, std::size_t size, const Body& body) {
+  for_ranges(range_count(count, size), 1, [&](std::size_t i, std::size_t past) {
+    for (; i < past; ++i) body(i, i * size, (i + 1) * size < count ? (i + 1) * size : count);
+  });
+}
+
+/// Tasks that may give rise to others.
+class TaskGroup {
+ public:
+  /// Calls work(group), and returns when that and all tasks that were given to the group have ended.
+  template <class Work>
+  static void run(const Work& work) {
+    within_call([&] {
+      TaskGroup group(*Call::current());
+      group.call_.attempt([&] { work(group); });
+      if (!group.finish()) throw Stopped{};
+    });
+  }
+
+  /// task() will be called, on this thread or on another one. It is called as const.
+  template <class Task>
+  void add(Task task) {
+    auto attempt = [this, task = std::move(task)] {
+      call_.attempt([&] {
+        const WorkingFor working(call_);
+        call_.poll();
+        task();
+      });
+    };
+    if (call_.cores == 1)
+      pending_.emplace_back(std::move(attempt));
+    else
+      tasks_.run(std::move(attempt));
+  }
+
+ private:
+  explicit TaskGroup(Call& call) : call_(call) {}
+
+  /// False where not all was done.
+  bool finish() {
+    while (!pending_.empty()) {
+      const std::function<void()> task = std::move(pending_.back());
+      pending_.pop_back();
+      task();
+    }
+    return tasks_.wait() == tbb::complete && !call_.stopped();
+  }
+
+  Call& call_;
+  tbb::task_group_context context_{tbb::task_group_context::isolated};
+  tbb::task_group tasks_{context_};
+  std::vector<std::function<void()>> pending_;  ///< on one core
+};
+
+/// An object for each thread that asks for one.
+template <class T>
+using PerThread = tbb::enumerable_thread_specific<T>;
+
+namespace detail {
+
+/// In place, by halves of about the same size; a half is a task. The same steps on any number of cores.
+template <class Iterator, class Less>
+void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, TaskGroup& group) {
+  constexpr std::ptrdiff_t items_of_one_task = 1 << 13;
+  while (last - first > items_of_one_task && depth-- > 0) {
+    poll();
+    const auto at = [&](int i) -> const auto& { return first[(last - first - 1) / 8 * i]; };
+    const auto median = [&](const auto& a, const auto& b, const auto& c) -> const auto& {
+      if (less(a, b)) return less(b, c) ? b : less(a, c) ? c : a;
+      return less(a, c) ? a : less(b, c) ? c : b;
+    };
+    const auto pivot = median(median(at(0), at(1), at(2)), median(at(3), at(4), at(5)), median(at(6), at(7), at(8)));
+    Iterator middle = std::partition(first, last, [&](const auto& item) { return less(item, pivot); });
+    if (middle == first) {
+      // Nothing is less than the pivot: what equals it is in its place.
+      first = std::partition(first, last, [&](const auto& item) { return !less(pivot, item); });
+      continue;
+    }
+    group.add([=, &less, &group] { sort_in_tasks(first, middle, depth, less, group); });
+    first = middle;
+  }
+  poll();
+  std::sort(first, last, less);
+}
+
+}  // namespace detail
+
+/// As std::sort, and the same result on any number of cores. (oneTBB's own cannot be stopped.)
+template <class Iterator, class Less = std::less<>>
+void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
+  constexpr std::ptrdiff_t few = 1 << 13;
+  const Call* const call = Call::current();
+  if (last - first <= few || (call && call->memory)) {
+    std::sort(first, last, less);
+    return;
+  }
+  TaskGroup::run([&](TaskGroup& group) {
+    int depth = 1;  // beyond which the halves were not halves
+    for (auto count = last - first; count > 0; count /= 2) depth += 2;
+    detail::sort_in_tasks(first, last, depth, less, group);
+  });
+}
+
+}  // namespace oblast
