@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "base/call.h"
+#include "base/tuning.h"
 
 namespace oblast {
 
@@ -119,11 +120,10 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
   }
 }
 
-/// So many of `count` indices that have about 2^15 of `parts` parts: the grain of a loop over parts, as the vertices of
-/// chains, where they may be many to an index or few.
+/// So many of `count` indices that have about tuning::parts_a_task of `parts` parts: the grain of a loop over parts, as
+/// the vertices of chains, where they may be many to an index or few.
 constexpr std::size_t grain(std::size_t count, std::size_t parts) {
-  constexpr std::size_t parts_a_task = 1 << 15;
-  return 1 + parts_a_task * count / (count + parts + 1);
+  return 1 + tuning::parts_a_task * count / (count + parts + 1);
 }
 
 /// How many ranges of `size` indices, the last of them shorter, make up [0, count).
@@ -195,8 +195,7 @@ namespace detail {
 /// In place, by halves of about the same size; a half is a task. The same steps on any number of cores.
 template <class Iterator, class Less>
 void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, TaskGroup& group) {
-  constexpr std::ptrdiff_t items_of_one_task = 1 << 13;
-  while (last - first > items_of_one_task && depth-- > 0) {
+  while (last - first > tuning::sorted_items_of_one_task && depth-- > 0) {
     poll();
     const auto at = [&](int i) -> const auto& { return first[(last - first - 1) / 8 * i]; };
     const auto median = [&](const auto& a, const auto& b, const auto& c) -> const auto& {
@@ -222,9 +221,8 @@ void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, T
 /// As std::sort, and the same result on any number of cores. (oneTBB's own cannot be stopped.)
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
-  constexpr std::ptrdiff_t few = 1 << 13;
   const Call* const call = Call::current();
-  if (last - first <= few || (call && call->memory)) {
+  if (last - first <= tuning::sorted_items_of_one_task || (call && call->memory)) {
     std::sort(first, last, less);
     return;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tuning.h"
 #include "classics/far.h"
 #include "noding/box_tree.h"
 
@@ -26,7 +27,7 @@ class ClearanceTest {
   bool run() const {
     if (moved_.empty()) return true;
     // Few moved pieces: to look at every edge is quicker than to build a tree.
-    if (moved_.size() * points_.size() <= 4096) {
+    if (moved_.size() * points_.size() <= tuning::few_moved_pairs) {
       return each_moved([&](std::uint32_t e, std::uint32_t s, const Box& box) {
         for (std::uint32_t t = 0; t < strands_.size(); ++t)
           for (std::uint32_t f = strands_.begin(t); f + 1 < strands_.ends[t]; ++f)

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/call.h"
+#include "base/tuning.h"
 #include "memory/kept_blocks.h"
 
 namespace oblast {
@@ -75,7 +76,8 @@ class CallMemory {
   struct Freed {
     Freed* next;
   };
-  static constexpr std::size_t capacity = 48 << 10, smallest_block = 32, class_count = 10;
+  static constexpr std::size_t capacity = tuning::call_memory_bytes, smallest_block = 32,
+                               class_count = tuning::call_memory_sizes;
 
   static std::size_t size_class_of(std::size_t bytes) {
     return static_cast<std::size_t>(std::bit_width((bytes - (bytes > 0)) / smallest_block));

@@ -5,14 +5,12 @@
 #include <new>
 
 #include "base/call.h"
+#include "base/tuning.h"
 
 namespace oblast {
 namespace {
 
-/// Shorter blocks are found by the system at little cost.
-constexpr std::size_t shortest = std::size_t{64} << 10;
-/// A block that is more than so many times as long as the array is left for a longer one.
-constexpr std::size_t largest_excess = 2;
+constexpr std::size_t shortest = tuning::shortest_kept_block;
 
 }  // namespace
 
@@ -46,7 +44,8 @@ KeptBlocks::Header* KeptBlocks::take(std::size_t bytes) {
   auto best = free_.end();
   for (auto it = free_.begin(); it != free_.end(); ++it) {
     const std::size_t size = (*it)->bytes;
-    if (size >= bytes && size / largest_excess <= bytes && (best == free_.end() || size < (*best)->bytes)) best = it;
+    if (size >= bytes && size / tuning::largest_kept_excess <= bytes && (best == free_.end() || size < (*best)->bytes))
+      best = it;
   }
   if (best == free_.end()) return nullptr;
   Header* const header = *best;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "memory/pages.h"
 
@@ -58,7 +59,7 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
     return;
   }
   items.reserve(count);
-  if (count * sizeof(T) < large_page) return;
+  if (count * sizeof(T) < tuning::large_array_bytes) return;
   char* const begin = reinterpret_cast<char*>(items.data());
   ask_for_large_pages(begin, begin + count * sizeof(T));
 }
@@ -66,17 +67,17 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
 /// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
 void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
-  if (count * sizeof(T) < large_page) {
+  if (count * sizeof(T) < tuning::large_array_bytes) {
     items.resize(count, value);
     return;
   }
   if (items.capacity() < count) reserve_in_large_pages(items, count);
-  constexpr std::size_t pages_a_task = 2;
   if (items.size() < count) {
     char* const memory = reinterpret_cast<char*>(items.data() + items.size());
-    for_ranges((count - items.size()) * sizeof(T) / large_page, pages_a_task, [&](std::size_t first, std::size_t past) {
-      for (; first < past; ++first) memory[first * large_page] = 0;
-    });
+    for_ranges((count - items.size()) * sizeof(T) / tuning::large_array_bytes, tuning::touched_pieces_a_task,
+               [&](std::size_t first, std::size_t past) {
+                 for (; first < past; ++first) memory[first * tuning::large_array_bytes] = 0;
+               });
   }
   items.resize(count, value);
 }
@@ -90,7 +91,7 @@ void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
 template <class T>
 void fill_in_large_pages(LargeArray<T>& items, std::size_t count, const T& value) {
   resize_in_large_pages(items, count);
-  for_ranges(count, large_page / sizeof(T), [&](std::size_t begin, std::size_t end) {
+  for_ranges(count, tuning::large_array_bytes / sizeof(T), [&](std::size_t begin, std::size_t end) {
     std::fill(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
               value);
   });

@@ -4,6 +4,8 @@
 #include <sys/mman.h>
 
 #include <cstdint>
+
+#include "base/tuning.h"
 #endif
 
 namespace oblast {
@@ -12,7 +14,7 @@ namespace oblast {
 namespace {
 
 void advise(char* begin, const char* end, int advice) {
-  constexpr std::uintptr_t page = large_page;
+  constexpr std::uintptr_t page = tuning::large_page;
   const auto start = reinterpret_cast<std::uintptr_t>(begin);
   const std::uintptr_t first = (start + page - 1) / page * page,
                        last = reinterpret_cast<std::uintptr_t>(end) / page * page;

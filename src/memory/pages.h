@@ -6,8 +6,6 @@
 
 namespace oblast {
 
-inline constexpr std::size_t large_page = std::size_t{2} << 20;
-
 /// Pages that lie whole in [begin, end), which are about to be filled, shall be large.
 void ask_for_large_pages(char* begin, const char* end);
 

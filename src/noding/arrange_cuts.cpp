@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {
@@ -17,9 +18,8 @@ class SortAlong {
  public:
   /// An edge from a to b.
   EdgeCut* operator()(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
-    constexpr std::ptrdiff_t few = 24;
     const Direction direction{a.x < b.x, a.y < b.y};
-    if (end - begin <= few)
+    if (end - begin <= tuning::few_cuts)
       std::sort(begin, end, direction);
     else
       sort_many(a, b, {begin, end}, direction);
@@ -126,8 +126,7 @@ class Arrangement {
 
   void scatter(std::span<const std::span<const EdgeCut>> blocks) {
     const auto range_of = [&, bits = std::countr_zero(edges_a_range_)](const EdgeCut& cut) { return cut.edge >> bits; };
-    constexpr std::size_t most_tasks = 16;
-    const std::size_t blocks_a_task = range_count(blocks.size(), most_tasks), count = ranges_.size();
+    const std::size_t blocks_a_task = range_count(blocks.size(), tuning::cut_tasks), count = ranges_.size();
     const std::size_t tasks = range_count(blocks.size(), blocks_a_task);
     Array<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
     for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {

@@ -5,12 +5,13 @@
 #include <cstdint>
 #include <span>
 
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {
 
-/// Boxes along a space-filling curve by their middles, four to a node, level upon level.
+/// Boxes along a space-filling curve by their middles, a few to a node, level upon level.
 class BoxTree {
  public:
   /// Cost: linear.
@@ -30,7 +31,7 @@ class BoxTree {
   void remove(std::uint32_t i);
 
  private:
-  static constexpr std::size_t fan = 4;
+  static constexpr std::size_t fan = tuning::box_tree_fan;
 
   template <class Visit>
   bool visit_node(std::size_t level, std::size_t place, const Box& box, const Visit& visit) const {

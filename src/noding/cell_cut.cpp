@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 #include "noding/point_hash.h"
@@ -11,9 +12,7 @@
 namespace oblast::noding {
 namespace {
 
-constexpr std::size_t sample_size = 31;
-constexpr std::size_t edges_tried = 5;
-constexpr std::uint32_t shortest_divided = 3;  // edges of a run; to look at the points of a shorter one gains nothing
+constexpr std::size_t sample_size = tuning::cut_sample;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// REQUIRES: at_x or at_y.
@@ -160,7 +159,8 @@ CellCut best_axis_cut(const Sample& sample, double margin, const Repeated& repea
 
 Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCut& cut) {
   Sides sides{reaches_left(low(entry.box, cut.kind), cut), reaches_right(high(entry.box, cut.kind), cut), entry, entry};
-  if (!sides.left || !sides.right || entry.last - entry.first < shortest_divided || points.empty()) return sides;
+  if (!sides.left || !sides.right || entry.last - entry.first < tuning::shortest_divided_run || points.empty())
+    return sides;
   const auto value = [&](std::uint32_t vertex) {
     return cut.kind == CutKind::at_x ? points[vertex].x : points[vertex].y;
   };
@@ -179,7 +179,7 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
 std::size_t divide_runs(std::span<const Point> points, LargeArray<Entry>& entries, std::size_t begin,
                         const CellCut& cut, LargeArray<Entry>& right) {
   // Where a run lies is hard to foresee, so a block of them is sorted out first, without branches.
-  constexpr std::size_t block = 64;
+  constexpr std::size_t block = tuning::divided_runs_a_block;
   std::array<std::uint8_t, block> on_left, on_right_only;
   std::size_t left_end = begin;
   for (std::size_t first = begin, size; first < entries.size(); first += size) {
@@ -232,17 +232,18 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   CellCut best = best_axis_cut(sample, margin, [&](const Entry& e, const CellCut& cut) {
     return is_flat(e, axis_of(cut.kind), cell, entries.size()) ? 0U : 1U;
   });
-  constexpr double good = 1.15, worth_parting = 1.3, acceptable = 1.5;
   const auto try_edges = [&](bool parts_touching) {
     for (std::size_t i = 0; i < sample_size; ++i) {
-      if (best.growth <= good || (i >= edges_tried && best.growth <= acceptable)) break;
+      if (best.growth <= tuning::good_growth ||
+          (i >= tuning::cut_edges_tried && best.growth <= tuning::acceptable_growth))
+        break;
       CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin, parts_touching};
       judge(cut, sample.span(), divide, [](const Entry&, const CellCut&) { return 1U; });
       if (cut.growth < best.growth) best = cut;
     }
   };
   if (margin > 0) try_edges(false);
-  if (margin == 0 || best.growth > worth_parting) try_edges(true);
+  if (margin == 0 || best.growth > tuning::growth_worth_parting) try_edges(true);
   return best;
 }
 

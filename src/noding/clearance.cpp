@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
 
@@ -18,7 +19,7 @@ double length_bound(const Point& p) { return std::fabs(p.x) + std::fabs(p.y); }
 }  // namespace
 
 Clearance::Clearance(Strands& strands) : strands_(strands) {
-  constexpr std::size_t points_a_range = 1 << 16;
+  constexpr std::size_t points_a_range = tuning::clearance_points_a_range;
   const std::span<const Point> points = strands.points;
   if (points.size() <= points_a_range) {
     distance_ = 32 * ulp_of(largest_coordinate(points));

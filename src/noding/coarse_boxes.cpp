@@ -4,14 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "base/tuning.h"
+
 namespace oblast::noding {
 namespace {
 
 constexpr std::int16_t below_all = std::numeric_limits<std::int16_t>::min(), lowest = below_all + 1,
                        highest = std::numeric_limits<std::int16_t>::max();
-
-/// So few boxes are compared all with all.
-constexpr std::size_t few = 64;
 
 /// Values of one axis to cells. Monotone, so what meets does so on the grid.
 struct Scale {
@@ -44,7 +43,7 @@ void CoarseBoxes::assign(std::span<const Run> runs, double margin) {
   };
   around = turned(around);
   const Scale x(around.x0, around.x1), y(around.y0, around.y1);
-  const bool ordered = size > few;
+  const bool ordered = size > tuning::few_boxes;
   std::uint32_t sum = 0;
   if (ordered) {
     past_.fill(0);

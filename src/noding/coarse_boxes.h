@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 
@@ -41,7 +42,7 @@ class CoarseBoxes {
 
  private:
   static constexpr std::size_t block = 16;
-  static constexpr int bucket_bits = 6;
+  static constexpr int bucket_bits = tuning::box_bucket_bits;
 
   /// So many boxes, side by side. Boxes are in the order of the buckets of their x0; which axis is x is as it fits.
   struct Block {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
 
@@ -62,7 +63,7 @@ std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * di
 /// arrays in a few ranges side by side: first how many of each digit a range has, then to where they go is known.
 /// REQUIRES: items.
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
-  constexpr std::size_t items_a_range = 1 << 16;
+  constexpr std::size_t items_a_range = tuning::keys_a_range;
   const std::size_t ranges = range_count(from.size(), items_a_range);
   Array<Counts> more(ranges - 1);  // of all ranges but the last
   const auto counts_of = [&](std::size_t range) -> Counts& { return range + 1 < ranges ? more[range] : ends; };
@@ -91,19 +92,18 @@ void sort_small(std::span<Keyed> items) {
 /// The first digit by one pass through memory; then each of its parts, which fits a cache, by the others, last digit
 /// first.
 void radix_sort(std::span<Keyed> items, LargeArray<Keyed>& buffer) {
-  constexpr std::size_t small_part = 1000, parts_a_task = 64;
   if (buffer.size() < items.size()) {
     buffer = {};
     resize_in_large_pages(buffer, items.size());
   }
   Counts ends;
   sort_by_digit(items, 2, ends, buffer);
-  for_ranges(radix, parts_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(radix, tuning::digits_a_task, [&](std::size_t first, std::size_t past) {
     Counts starts;
     for (std::size_t part = first; part < past; ++part) {
       const std::uint32_t begin = part == 0 ? 0 : ends[part - 1], size = ends[part] - begin;
       const std::span<Keyed> sorted = items.subspan(begin, size), unsorted = std::span(buffer).subspan(begin, size);
-      if (size <= small_part) {
+      if (size <= tuning::few_keys_of_a_digit) {
         sort_small(unsorted);
         std::copy(unsorted.begin(), unsorted.end(), sorted.begin());
       } else {
@@ -131,7 +131,7 @@ class CurveSort {
       pending_.pop_back();
       const auto part = std::span(items_).subspan(begin, end - begin);
       if (!give_keys(part)) continue;
-      if (part.size() < 2000)
+      if (part.size() <= tuning::few_keys)
         sort_small(part);
       else
         radix_sort(part, buffer_);
@@ -141,8 +141,8 @@ class CurveSort {
   }
 
  private:
-  static constexpr std::uint32_t crowd = 16;  // so many points in one cell are sorted again inside it
-  static constexpr std::size_t points_a_task = 32768;
+  static constexpr std::uint32_t crowd = tuning::curve_crowd;  // so many points in one cell are sorted again inside it
+  static constexpr std::size_t points_a_task = tuning::curve_points_a_task;
 
   /// False when all points are the same.
   bool give_keys(std::span<Keyed> part) const {
@@ -201,17 +201,16 @@ class CurveSort {
 LargeArray<Keyed> curve_order(std::span<const Point> points) { return CurveSort(points).run(); }
 
 LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
-  constexpr std::size_t boxes_a_task = 8192;
   LargeArray<Point> middles;
   resize_in_large_pages(middles, boxes.size());
-  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(boxes.size(), tuning::boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
   });
   const LargeArray<Keyed> keyed = curve_order(middles);
   LargeArray<std::uint32_t> order;
   resize_in_large_pages(order, boxes.size());
-  for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(boxes.size(), tuning::boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
   });
   return order;

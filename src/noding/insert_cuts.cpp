@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 
 namespace oblast::noding {
@@ -26,9 +27,6 @@ std::uint8_t cut_flags(std::uint8_t of_edge) {
 std::uint8_t first_piece_flags(std::uint8_t of_edge) {
   return static_cast<std::uint8_t>((of_edge & kept_flags) | ((of_edge & near_flag) != 0 ? moved_flag : 0));
 }
-
-/// Up to here it is quicker to move one by one.
-constexpr std::uint32_t few = 16;
 
 class CutInsertion {
  public:
@@ -59,7 +57,7 @@ class CutInsertion {
  private:
   /// Vertices [begin, from_) to where they end at to_. What the last round said of them is over.
   void move_vertices(std::uint32_t begin) {
-    if (from_ - begin <= few) {
+    if (from_ - begin <= tuning::few_moved_vertices) {
       while (from_ > begin) move_vertex(--from_, --to_);
       return;
     }
@@ -135,7 +133,7 @@ class CutCopy {
 
   /// What the last round said of them is over.
   void copy_vertices(std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
-    if (end - begin <= few) {
+    if (end - begin <= tuning::few_moved_vertices) {
       for (; begin < end; ++begin, ++to) {
         points[to] = strands_.points[begin];
         flags[to] = strands_.flags[begin] & kept_flags;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
@@ -68,7 +69,7 @@ class RecentPairs {
   }
 
  private:
-  static constexpr std::size_t slot_count = 4096;
+  static constexpr std::size_t slot_count = tuning::recent_pairs;
   Array<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
 };
 
@@ -85,7 +86,7 @@ class CutList {
   std::span<const Array<EdgeCut>> blocks() const { return blocks_; }
 
  private:
-  static constexpr std::size_t block_size = 4096, first_reserve = 32;
+  static constexpr std::size_t block_size = tuning::cuts_a_block, first_reserve = tuning::first_cuts;
   Array<Array<EdgeCut>> blocks_;
 };
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
@@ -34,11 +35,10 @@ struct Settling {
   int doublings = -1;    ///< new vertices are multiples of that ulp, doubled so often; negative: nearest double
 
   static Settling of_round(std::uint64_t round) {
-    constexpr std::uint64_t last_nearest = 1, last_patient = 24;
-    if (round <= last_nearest) return {};
-    if (round <= last_patient) return {2, -1};
-    const int doublings = static_cast<int>(round - last_patient);
-    return {std::ldexp(2, doublings), doublings};
+    if (round <= tuning::last_nearest_round) return {};
+    if (round <= tuning::last_patient_round) return {tuning::settling_ulps, -1};
+    const int doublings = static_cast<int>(round - tuning::last_patient_round);
+    return {std::ldexp(tuning::settling_ulps, doublings), doublings};
   }
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/point_hash.h"
@@ -87,7 +88,7 @@ LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points) {
   LargeArray<std::uint32_t> hashes;
   if (points.empty()) return hashes;
   resize_in_large_pages(hashes, points.size() - 1);
-  constexpr std::size_t edges_a_task = 1 << 15;
+  constexpr std::size_t edges_a_task = tuning::hashed_edges_a_task;
   for_ranges(hashes.size(), edges_a_task, [&](std::size_t begin, std::size_t end) {
     std::uint64_t from = hash(points[begin]);
     for (std::size_t e = begin; e < end; ++e) {
@@ -101,7 +102,7 @@ LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points) {
 
 /// The hashes that another edge had already, with some that only seem to. Each core looks after its share of the table.
 Array<std::uint32_t> repeated_hashes(const Strands& strands, const LargeArray<std::uint32_t>& hashes) {
-  constexpr std::size_t bits_an_edge = 16, edges_a_core = 1 << 16;
+  constexpr std::size_t bits_an_edge = tuning::repeated_bits_an_edge, edges_a_core = tuning::repeated_edges_a_core;
   const std::size_t shares =
       std::clamp<std::size_t>(hashes.size() / edges_a_core, 1, std::min<std::size_t>(core_count(), 8));
   HashBits seen(hashes.size(), bits_an_edge);
@@ -126,7 +127,7 @@ Array<std::uint32_t> repeated_hashes(const Strands& strands, const LargeArray<st
 
 /// Which part of some of the edges, chosen by the bits of their ends, repeats another one.
 double repeated_part(const Strands& strands) {
-  constexpr std::size_t enough = 1 << 11, edges_a_range = 1 << 15;
+  constexpr std::size_t enough = tuning::sampled_edges, edges_a_range = tuning::sampled_edges_a_range;
   const LargeArray<Point>& points = strands.points;
   const std::size_t edges = points.size() - 1;
   const std::uint64_t one_in = edges / enough + 1;
@@ -225,7 +226,7 @@ IdenticalEdges find_few(const Strands& strands, LargeArray<std::uint32_t> hashes
   if (repeated.empty()) return {};
 
   // By other bits of the hash than before, so that those which only seemed to be repeated drop out.
-  constexpr std::size_t bits_a_hash = 64;
+  constexpr std::size_t bits_a_hash = tuning::repeated_bits_a_hash;
   HashBits shared(repeated.size(), bits_a_hash);
   const auto other_bits = [](std::uint32_t hash) { return std::rotl(hash, 16); };
   for (const std::uint32_t hash : repeated) shared.add(other_bits(hash));
@@ -296,8 +297,8 @@ class Remainder {
 }  // namespace
 
 IdenticalEdges identical_edges(const Strands& strands) {
-  constexpr std::size_t worth_sampling = 1 << 14;
-  constexpr double many = 0.2;
+  constexpr std::size_t worth_sampling = tuning::edges_worth_sampling;
+  constexpr double many = tuning::many_repeated;
   const std::size_t edges = strands.points.size();
   const double part = edges < worth_sampling ? many / 2 : repeated_part(strands);
   if (part == 0) return {};

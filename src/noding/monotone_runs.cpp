@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 
 namespace oblast::noding {
@@ -122,7 +123,7 @@ class RunFinder {
 }  // namespace
 
 LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, double margin) {
-  constexpr std::size_t edges_a_range = 128 * edges_a_word;
+  constexpr std::size_t edges_a_range = tuning::run_words_a_range * edges_a_word;
   RunFinder finder(strands, grouping, margin);
   const std::size_t edges = strands.points.size();
   Array<std::size_t> places(range_count(edges, edges_a_range) + 1);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/strands.h"
 
@@ -46,8 +47,8 @@ inline unsigned heading(const Point& p, const Point& q) {
 #endif
 }
 
-/// Edges of a run at most: long ones have boxes that say little, short ones are many. Sixteen measured best.
-inline constexpr std::uint32_t longest_run = 16;
+/// Edges of a run at most.
+inline constexpr std::uint32_t longest_run = tuning::longest_run;
 
 struct Run {
   Box box;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
@@ -50,11 +51,11 @@ double displacement(const Strands& noded, const LargeArray<Point>& input) {
 /// Groups spare the search the pairs of edges of one contour, where contours are large. Small ones have few such pairs,
 /// and to look at them too makes the second round short (clearance.h).
 Grouping first_grouping(const Strands& strands) {
-  constexpr std::size_t small_strand = 32;
   bool ungrouped = true;
   for (std::size_t s = 0; s < strands.size(); ++s)
     ungrouped &= strands.group[s] == any_group || strands.simplicity[s] == Simplicity::assumed;
-  return ungrouped || strands.points.size() <= small_strand * strands.size() ? Grouping::none : Grouping::by_strand;
+  return ungrouped || strands.points.size() <= tuning::small_strand * strands.size() ? Grouping::none
+                                                                                     : Grouping::by_strand;
 }
 
 }  // namespace

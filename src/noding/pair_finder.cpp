@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/cell_cut.h"
 #include "noding/coarse_boxes.h"
@@ -13,16 +14,7 @@
 namespace oblast::noding {
 namespace {
 
-// To compare so many boxes costs less than what cutting them further would copy; clipped edges, which lie close, are
-// cut further.
 constexpr std::size_t leaf_size = runs_of_one_cell;
-constexpr std::size_t clipped_leaf_size = 128;
-// Cells with a cut better than this growth are content with boxes.
-constexpr double box_growth = 1.2;
-// A cut that copies more than this is no progress: everything meets nearly everything.
-constexpr double largest_growth = 1.8;
-// Edges that cross a cell from side to side are taken out where they are at least one in so many.
-constexpr std::size_t fewest_crossers = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The part of the plane that entries are looked at in, or a box around it where edges cut it off.
@@ -78,7 +70,7 @@ class PairBatch {
   const PairVisitor& visit_;
   CoarseBoxes boxes_;
   std::size_t count_ = 0;
-  std::array<RunPair, 256> pairs_;  // not written before it is used
+  std::array<RunPair, tuning::pairs_a_batch> pairs_;  // not written before it is used
 };
 
 class Finder {
@@ -114,14 +106,15 @@ class Finder {
       if (count() <= leaf_size) return {};
       const RunParts parts = goal_ == PairGoal::boxes ? RunParts::whole : RunParts::edges;
       const CellCut cut = best_run_cut(tail(entries, begin), parts, nearness_.margin);
-      if (cut.growth <= box_growth || goal_ == PairGoal::boxes) return cut.growth <= largest_growth ? cut : CellCut{};
+      if (cut.growth <= tuning::box_growth || goal_ == PairGoal::boxes)
+        return cut.growth <= tuning::largest_growth ? cut : CellCut{};
       clip_edges(entries, begin, cell);
     }
-    while (count() > clipped_leaf_size) {
+    while (count() > tuning::clipped_edges_of_one_cell) {
       if (match_crossers(Axis::x, entries, begin, cell, batch) || match_crossers(Axis::y, entries, begin, cell, batch))
         continue;
       const CellCut cut = best_cut(points_, tail(entries, begin), cell.box, nearness_.margin);
-      return cut.growth <= largest_growth ? cut : CellCut{};
+      return cut.growth <= tuning::largest_growth ? cut : CellCut{};
     }
     return {};
   }
@@ -243,7 +236,7 @@ class Finder {
              !is_flat(e, axis, cell.box, all.size());
     };
     const auto staying = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), stays));
-    if ((all.size() - staying) * fewest_crossers < all.size()) return false;
+    if ((all.size() - staying) * tuning::entries_a_crosser < all.size()) return false;
     std::partition(all.begin(), all.end(), stays);
     const Axis across = axis == Axis::x ? Axis::y : Axis::x;
     const auto before = [&](const Entry& p, const Entry& q) { return low(p.box, across) < low(q.box, across); };
@@ -270,11 +263,10 @@ class Finder {
         match(crossers[crosser], crossers.subspan(crosser + 1), found);
       }
     };
-    constexpr std::size_t crossers_a_task = 64;
-    if (crossers.size() <= crossers_a_task) {
+    if (crossers.size() <= tuning::crossers_a_task) {
       match_range(0, crossers.size(), batch);
     } else {
-      for_ranges(crossers.size(), crossers_a_task, [&](std::size_t first, std::size_t past) {
+      for_ranges(crossers.size(), tuning::crossers_a_task, [&](std::size_t first, std::size_t past) {
         PairBatch found(visit_);
         match_range(first, past, found);
         found.visit();

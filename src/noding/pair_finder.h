@@ -16,6 +16,7 @@
 #include <functional>
 #include <span>
 
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 
@@ -28,7 +29,7 @@ struct RunPair {
 };
 
 /// A search over no more runs than this visits no pair twice.
-inline constexpr std::size_t runs_of_one_cell = 512;
+inline constexpr std::size_t runs_of_one_cell = tuning::runs_of_one_cell;
 
 /// And over no more than this it stays on the caller's thread: few long edges may still meet in very many places.
 inline constexpr std::size_t runs_of_one_thread = runs_of_one_cell;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 #include "noding/edges_in.h"
@@ -40,7 +41,7 @@ std::uint8_t directions_of(const Point& a, const Point& b) {
   return static_cast<std::uint8_t>(heading(a, b) | diagonals << 4);
 }
 
-constexpr std::uint32_t longest_leaf = 8;
+constexpr std::uint32_t longest_leaf = tuning::longest_ring_leaf;
 
 // A depth-first walk leaves at most three neighbours behind on each of 32 levels.
 constexpr std::size_t stack_size = 128;
@@ -98,10 +99,7 @@ void RingTree::add_levels() {
   }
 }
 
-std::size_t RingTree::most_looks() const {
-  constexpr std::size_t looks_a_leaf = 64;
-  return looks_a_leaf * leaves_.size();
-}
+std::size_t RingTree::most_looks() const { return tuning::looks_a_ring_leaf * leaves_.size(); }
 
 std::optional<bool> RingTree::edges_meet() const {
   std::array<Pair, stack_size> stack;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "overlay/smallest_vertex.h"
 
@@ -23,8 +24,7 @@ class Rotation {
     return points_[v < end_ ? v : v - size()];
   }
   void copy_to(Point* to) const {
-    constexpr std::size_t few = 8;
-    if (size() <= few) {
+    if (size() <= tuning::few_copied_vertices) {
       for (std::size_t i = 0; i < size(); ++i) to[i] = (*this)[i];
       return;
     }
@@ -67,10 +67,9 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
 }  // namespace
 
 RegionSet assemble(const Rings& rings, const Nesting& nesting) {
-  constexpr std::size_t rings_a_task = 1024;
   Array<Rotation> rotations(rings.size(), Rotation(rings));
   Array<PolygonKey> polygons(nesting.polygon_count);
-  for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(rings.size(), tuning::rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
       rotations[r] = canonical_rotation(rings, r);
       if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
@@ -114,7 +113,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
     }
     result.polygon_ends.push_back(static_cast<std::uint32_t>(result.contour_ends.size()));
   }
-  for_ranges(order.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(order.size(), tuning::rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       rotations[order[i]].copy_to(result.points.data() + (i == 0 ? 0 : result.contour_ends[i - 1]));
   });
@@ -157,8 +156,7 @@ RegionSet join(Array<RegionSet> parts) {
     contour += end - begin;
     result.polygon_ends[i] = contour;
   }
-  constexpr std::size_t polygons_a_task = 512;
-  for_ranges(polygons.size(), polygons_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(polygons.size(), tuning::joined_polygons_a_task, [&](std::size_t first, std::size_t past) {
     for (std::size_t i = first; i < past; ++i) {
       const RegionView view = parts[polygons[i].part];
       const std::uint32_t begin = view.polygon_begin(polygons[i].index), end = view.polygon_end(polygons[i].index);

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
@@ -53,12 +54,12 @@ struct Stops {
 class StopFinder {
  public:
   explicit StopFinder(const Strands& strands)
-      : strands_(strands), ranges_(range_count(strands.points.size(), vertices_a_range) + 1) {}
+      : strands_(strands), ranges_(range_count(strands.points.size(), tuning::stop_vertices_a_range) + 1) {}
 
   /// Without nodes and chains.
   Stops run() {
     for_numbered_ranges(
-        strands_.points.size(), vertices_a_range,
+        strands_.points.size(), tuning::stop_vertices_a_range,
         [&](std::size_t i, std::size_t begin, std::size_t end) { ranges_[i + 1] = counted(begin, end); });
     for (std::size_t i = 1; i < ranges_.size(); ++i) {
       ranges_[i].stops += ranges_[i - 1].stops;
@@ -68,14 +69,12 @@ class StopFinder {
     resize_in_large_pages(stops.along, ranges_.back().stops);
     resize_in_large_pages(stops.loops, ranges_.back().loops);
     for_numbered_ranges(
-        strands_.points.size(), vertices_a_range,
+        strands_.points.size(), tuning::stop_vertices_a_range,
         [&](std::size_t i, std::size_t begin, std::size_t end) { write(begin, end, ranges_[i], stops); });
     return stops;
   }
 
  private:
-  static constexpr std::size_t vertices_a_range = 1 << 16;
-
   /// How many come before a range.
   struct Range {
     std::uint32_t stops = 0, loops = 0;
@@ -105,8 +104,7 @@ class StopFinder {
 
   /// Where nodes are is hard to foresee, so a block of vertices is sorted out first, without branches.
   void write(std::size_t begin, std::size_t end, Range before, Stops& stops) const {
-    constexpr std::uint32_t vertices_a_block = 128;
-    std::array<std::uint32_t, vertices_a_block> nodes;
+    std::array<std::uint32_t, tuning::stop_vertices_a_block> nodes;
     for_each_strand(begin, end, [&](std::size_t s, std::uint32_t v, std::uint32_t past) {
       if (!is_node(strands_.begin(s))) {
         if (v == strands_.begin(s)) stops.loops[before.loops++] = static_cast<std::uint32_t>(s);
@@ -114,7 +112,7 @@ class StopFinder {
       }
       while (v < past) {
         std::size_t count = 0;
-        for (const std::uint32_t block_end = std::min(v + vertices_a_block, past); v < block_end; ++v) {
+        for (const std::uint32_t block_end = std::min(v + tuning::stop_vertices_a_block, past); v < block_end; ++v) {
           nodes[count] = v;
           count += is_node(v);
         }
@@ -128,8 +126,6 @@ class StopFinder {
   Array<Range> ranges_;
 };
 
-constexpr std::size_t stops_a_task = 32768;
-
 /// A range of stops in order that holds whole nodes.
 struct NodeRange {
   std::size_t begin;
@@ -141,7 +137,7 @@ struct NodeRange {
 Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   LargeArray<Point> places;
   resize_in_large_pages(places, stops.along.size());
-  for_ranges(places.size(), stops_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(places.size(), tuning::stops_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) places[k] = strands.points[stops.along[k].vertex];
   });
   stops.order = noding::curve_order(places);
@@ -152,9 +148,9 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   };
   // Ranges of whole keys: stops of one key are sorted together, and stops at one place are among them.
   Array<NodeRange> ranges;
-  ranges.reserve(order.size() / stops_a_task + 2);
+  ranges.reserve(order.size() / tuning::stops_a_task + 2);
   ranges.push_back({0});
-  for (std::size_t i = stops_a_task; i < order.size(); i += stops_a_task) {
+  for (std::size_t i = tuning::stops_a_task; i < order.size(); i += tuning::stops_a_task) {
     while (i < order.size() && order[i].key == order[i - 1].key) ++i;
     ranges.push_back({i});
   }
@@ -230,10 +226,9 @@ void sort_by_angle(const Point& x, Array<Aimed>& list) {
 /// Puts the descriptors from x in order, without branches, by how many come before each. False where directions are too
 /// near each other for that, or too many.
 bool place_by_angle(const Point& x, const Array<Aimed>& list, std::span<Descriptor> places) {
-  constexpr std::size_t most = 8;
-  if (list.size() > most) return false;
-  std::array<double, most> angles;
-  std::array<std::uint32_t, most> before;
+  if (list.size() > tuning::most_counted_directions) return false;
+  std::array<double, tuning::most_counted_directions> angles;
+  std::array<std::uint32_t, tuning::most_counted_directions> before;
   bool clear = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
     angles[i] = rough_angle(x, list[i].at);
@@ -257,7 +252,7 @@ struct Coincident {
 
 /// Step 3: the chains and the connectivity lists L(x), each sorted by angle. By range of nodes, what coincides.
 Array<Array<Coincident>> build_connectivity_lists(ChainGraph& graph, const Stops& stops) {
-  constexpr std::size_t nodes_a_range = 8192;
+  constexpr std::size_t nodes_a_range = tuning::listed_nodes_a_range;
   Array<Array<Coincident>> coincident(range_count(graph.node_count(), nodes_a_range));
   for_numbered_ranges(graph.node_count(), nodes_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Array<Aimed> list;
@@ -333,7 +328,7 @@ void drop_dead_chains(ChainGraph& graph) {
   struct Range {
     std::uint32_t begin = 0, kept = 0, before = 0;
   };
-  constexpr std::size_t nodes_a_range = 1 << 14;
+  constexpr std::size_t nodes_a_range = tuning::packed_nodes_a_range;
   Array<Range> ranges(range_count(graph.node_count(), nodes_a_range));
   for (std::size_t range = 1; range < ranges.size(); ++range)
     ranges[range].begin = graph.list_ends[range * nodes_a_range - 1];

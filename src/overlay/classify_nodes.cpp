@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 #include "overlay/rings.h"
@@ -37,7 +38,7 @@ class TraceFinder {
   }
 
  private:
-  static constexpr std::size_t elements_a_task = 16384;
+  static constexpr std::size_t elements_a_task = tuning::classified_elements_a_task;
 
   struct Source {
     std::uint32_t node;

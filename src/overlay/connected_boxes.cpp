@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/disjoint_sets.h"
@@ -16,9 +17,7 @@ namespace {
 
 using noding::Box;
 
-constexpr std::size_t boxes_a_task = 8192;
-/// More looks than this by box are no gain.
-constexpr std::size_t looks_by_box = 64;
+constexpr std::size_t boxes_a_task = tuning::boxes_a_task;
 /// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
 constexpr std::size_t stack_size = 128;
 
@@ -80,7 +79,7 @@ class Connector {
   bool connect(const Pair& nodes) {
     std::array<Pair, stack_size> stack;
     std::size_t on_stack = 0, looks = 0;
-    const std::size_t most_looks = looks_by_box << (nodes.level + 1);
+    const std::size_t most_looks = tuning::looks_a_connected_box << (nodes.level + 1);
     const auto push = [&](const Pair& p) {
       if (p.j < size(p.level) && box(p.level, p.i).meets(box(p.level, p.j))) stack[on_stack++] = p;
     };

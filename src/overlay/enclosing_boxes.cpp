@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 
 namespace oblast {
 namespace {
 
 using noding::Box;
-
-/// More looks than this by box are no gain.
-constexpr std::size_t looks_by_box = 16;
 
 /// A grid of about one cell a point, and the points by cell.
 class PointGrid {
@@ -68,7 +66,8 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
     for (std::uint32_t row = grid.row(box.y0); row <= grid.row(box.y1); ++row) {
       const auto near = grid.points(row, first_column, last_column);
       looks += 1 + near.size();
-      if (looks > looks_by_box * count) return {Array<std::uint8_t>(count, 1), Array<std::uint8_t>(count, 1)};
+      if (looks > tuning::looks_an_enclosing_box * count)
+        return {Array<std::uint8_t>(count, 1), Array<std::uint8_t>(count, 1)};
       for (const std::uint32_t j : near) {
         if (j == i || !box.meets(Box::of(points[j], points[j]))) continue;
         found.encloses[i] = 1;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "overlay/connected_boxes.h"
 
@@ -14,9 +15,6 @@ using noding::Box;
 using noding::Strands;
 
 constexpr std::uint32_t none = 0xffffffff;
-
-// Fewer vertices are not worth dividing; a batch of this many has its arrays in the second-level cache.
-constexpr std::size_t batch_vertices = 4000;
 
 LargeArray<Box> boxes_of(const Strands& strands) {
   LargeArray<Box> boxes;
@@ -34,7 +32,9 @@ LargeArray<Box> boxes_of(const Strands& strands) {
 
 }  // namespace
 
-bool worth_dividing(const Strands& strands) { return strands.points.size() > batch_vertices && strands.size() > 1; }
+bool worth_dividing(const Strands& strands) {
+  return strands.points.size() > tuning::batch_vertices && strands.size() > 1;
+}
 
 IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   IndependentParts parts;
@@ -63,12 +63,12 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   // Small parts of one batch are taken as the strands come, not as they lie: far from each other, they do not disturb
   // each other's sweeps.
   Array<std::uint32_t> size;  // by batch: its strands
-  std::size_t filled = batch_vertices;
+  std::size_t filled = tuning::batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
     Part& p = part[connected.component[s]];
     if ((needs.a && !p.a) || (needs.b && !p.b)) continue;
     if (p.batch == none) {
-      if (filled >= batch_vertices) {
+      if (filled >= tuning::batch_vertices) {
         size.push_back(0);
         filled = 0;
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 
@@ -133,7 +134,7 @@ class Linker {
   LinkedContours run() {
     find_successors();
     // Nodes that are near in the plane are near in memory, so most short walks stay within a range.
-    constexpr std::size_t nodes_a_range = 8192;
+    constexpr std::size_t nodes_a_range = tuning::linked_nodes_a_range;
     const std::size_t node_count = paths_.graph.node_count(), in_ranges = node_count <= nodes_a_range ? 0 : node_count;
     Array<WalkCollector> collectors(range_count(in_ranges, nodes_a_range) + 1, WalkCollector(paths_));
     for_numbered_ranges(in_ranges, nodes_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
@@ -157,8 +158,7 @@ class Linker {
   /// Jump, for all nodes at once: around a node selected chains arrive and leave in turn, and a walk that
   /// arrives leaves by the selected descriptor before it.
   void find_successors() {
-    constexpr std::size_t nodes_a_task = 8192;
-    for_ranges(paths_.graph.node_count(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for_ranges(paths_.graph.node_count(), tuning::linked_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
         const auto list = paths_.graph.list(node);
         Descriptor leaving = none;

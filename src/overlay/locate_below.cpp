@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 
@@ -185,8 +186,7 @@ Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t
   parallel_sort(order.begin(), order.end(),
                 [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(queries[i].p, queries[j].p); });
   // Slabs side by side, one a core: each has a sweep of its own, over the runs that hold a query of its.
-  constexpr std::size_t fewest_queries = 8;
-  const std::size_t queries_a_slab = std::max(fewest_queries, range_count(order.size(), core_count()));
+  const std::size_t queries_a_slab = std::max(tuning::fewest_queries, range_count(order.size(), core_count()));
   Array<Below> answers(queries.size());
   for_numbered_ranges(order.size(), queries_a_slab, [&](std::size_t, std::size_t begin, std::size_t end) {
     Sweep sweep(graph, queries, std::span(order).subspan(begin, end - begin));

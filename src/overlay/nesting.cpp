@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
 #include "overlay/locate_below.h"
@@ -48,8 +49,7 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   nesting.outer.resize(rings.size());
   Array<std::uint32_t> polygon_of_walk(linked.walk_count, none);
   Array<BelowQuery> arrivals(rings.size());
-  constexpr std::size_t rings_a_task = 1024;
-  for_ranges(rings.size(), rings_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(rings.size(), tuning::rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
       const Smallest smallest = look_at_smallest(rings, r);
       nesting.outer[r] = smallest.outer;

@@ -1,6 +1,7 @@
 #include "overlay/node_strands.h"
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
@@ -12,14 +13,10 @@ namespace {
 using noding::Simplicity;
 using noding::Strands;
 
-/// So few edges are compared with each other sooner than those among them that are identical are found.
-constexpr std::size_t few_vertices = 256;
-
 /// The strands assumed to be simple that are not, sorted; all others are known to be then.
 Array<std::uint32_t> find_tangled(Strands& strands) {
   Array<std::uint8_t> found(strands.size(), 0);
-  constexpr std::size_t strands_a_task = 256;
-  for_ranges(strands.size(), strands_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(strands.size(), tuning::strands_a_task, [&](std::size_t first, std::size_t past) {
     noding::RingTree tree;
     for (std::size_t s = first; s < past; ++s) {
       if (strands.simplicity[s] == Simplicity::known) continue;
@@ -43,8 +40,9 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
     strands = resolve_tangled(strands, tangled, control);
   };
   for (;;) {
-    const noding::IdenticalEdges identical =
-        strands.points.size() <= few_vertices ? noding::IdenticalEdges{} : noding::identical_edges(strands);
+    const noding::IdenticalEdges identical = strands.points.size() <= tuning::few_merged_vertices
+                                                 ? noding::IdenticalEdges{}
+                                                 : noding::identical_edges(strands);
     if (!identical.empty() && strands.has_assumed()) {
       if (const auto tangled = find_tangled(strands); !tangled.empty()) {
         resolve_all(tangled);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "classics/window/fast_path.h"
 #include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
@@ -55,8 +56,7 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
   Call call;
   call.control = &control;
   const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
-  constexpr std::size_t small_call = 128;
-  if (vertices <= small_call) {
+  if (vertices <= tuning::small_call) {
     // In memory of its own, on this thread.
     CallMemory memory;
     call.memory = &memory;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 
@@ -31,10 +32,9 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
   const Array<std::uint8_t> node_flags = classify_nodes(graph, selection);
   const Array<Descriptor>& descriptors = linked.descriptors;
-  constexpr std::size_t chains_a_task = 16384;
   LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());
-  for_ranges(ends.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(ends.size(), tuning::ring_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Chain& chain = graph.chains[chain_of(descriptors[i])];
       ends[i] = chain.last - chain.first;

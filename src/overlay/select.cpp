@@ -1,6 +1,7 @@
 #include "overlay/select.h"
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 
 namespace oblast {
@@ -12,8 +13,7 @@ Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Oper
   };
   Selection selection;
   resize_in_large_pages(selection, graph.chains.size());
-  constexpr std::size_t chains_a_task = 32768;
-  for_ranges(graph.chains.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
+  for_ranges(graph.chains.size(), tuning::selected_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       selection[c] = none;
       if (!graph.is_live(c)) continue;

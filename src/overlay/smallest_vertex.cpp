@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/call_memory.h"
 
 namespace oblast {
@@ -35,12 +36,11 @@ SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t 
 }  // namespace
 
 SmallestVertex smallest_vertex(std::span<const Point> ring) {
-  constexpr std::size_t vertices_a_range = 1 << 16;
-  if (ring.size() <= vertices_a_range) return smallest_vertex_between(ring, 0, ring.size());
-  Array<SmallestVertex> found(range_count(ring.size(), vertices_a_range));
-  for_numbered_ranges(ring.size(), vertices_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    found[i] = smallest_vertex_between(ring, begin, end);
-  });
+  if (ring.size() <= tuning::smallest_vertices_a_range) return smallest_vertex_between(ring, 0, ring.size());
+  Array<SmallestVertex> found(range_count(ring.size(), tuning::smallest_vertices_a_range));
+  for_numbered_ranges(
+      ring.size(), tuning::smallest_vertices_a_range,
+      [&](std::size_t i, std::size_t begin, std::size_t end) { found[i] = smallest_vertex_between(ring, begin, end); });
   SmallestVertex smallest = found[0];
   for (std::size_t i = 1; i < found.size(); ++i) {
     const Point &p = ring[found[i].vertex], &q = ring[smallest.vertex];

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 
 namespace oblast {
 namespace {
@@ -45,11 +46,10 @@ void check_offsets(const RegionView& v, std::size_t operand) {
 
 void validate(const RegionView& operand, std::size_t operand_index) {
   check_offsets(operand, operand_index);
-  constexpr std::size_t points_a_range = 1 << 16;
   const auto is_good = [](const Point& p) { return in_domain(p.x) && in_domain(p.y); };
   const std::span points = operand.points;
   std::atomic<bool> all_good = true;
-  for_ranges(points.size(), points_a_range, [&](std::size_t begin, std::size_t end) {
+  for_ranges(points.size(), tuning::validated_points_a_range, [&](std::size_t begin, std::size_t end) {
     if (!std::all_of(points.begin() + begin, points.begin() + end, is_good)) all_good = false;
   });
   if (all_good) return;

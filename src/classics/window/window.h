@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::classics {
@@ -18,7 +19,7 @@ namespace oblast::classics {
 class Window {
  public:
   /// More sides are not worth the search for those that an edge comes near.
-  static constexpr std::size_t most_sides = 64;
+  static constexpr std::size_t most_sides = tuning::most_window_sides;
 
   /// Nothing when the contour is not convex, has repeated neighbours, or too many sides. Cost: linear, and for
   /// most contours that are not convex a few vertices.
@@ -60,7 +61,7 @@ class Window {
   }
 
  private:
-  static constexpr std::uint32_t few_sides = 12;
+  static constexpr std::uint32_t few_sides = tuning::few_window_sides;
 
   explicit Window(std::pmr::memory_resource* memory) : corners_(memory), sides_(memory) {}
 

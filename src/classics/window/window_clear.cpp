@@ -1,6 +1,7 @@
 // The edges that count keep clear of all near ones: then noding would cut them at the window only.
 #include <algorithm>
 
+#include "base/tuning.h"
 #include "classics/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/orientation.h"
@@ -10,14 +11,12 @@ namespace oblast::classics {
 using exact::orientation;
 
 bool WindowClip::core_is_clear() const {
-  // Up to here, to look at every pair is quicker than to set up a search.
-  constexpr std::size_t few_pairs = 3000;
   std::size_t near = 0, core = 0;
   for (const Stretch& s : stretches_) {
     near += s.last - s.first;
     if (s.core) core += s.last - s.first;
   }
-  return near * core <= few_pairs ? every_pair_is_clear() : near_pairs_are_clear();
+  return near * core <= tuning::few_window_pairs ? every_pair_is_clear() : near_pairs_are_clear();
 }
 
 //        q                     Neighbours (p, q) and (r, s), q = r, keep clear when the far end of each does;
@@ -59,11 +58,10 @@ bool WindowClip::edge_is_clear(const Ring& a, Index i, const Ring& b, Index firs
   return true;
 }
 
-/// The same for many edges: runs of up to eight, blocks of up to four runs, and a sweep over the blocks. Declines where
+/// The same for many edges: runs, blocks of runs, and a sweep over the blocks. Declines where
 /// boxes tell too little, as of long edges side by side: then the search of noding, which cuts edges, is quicker.
 bool WindowClip::near_pairs_are_clear() const {
-  constexpr Index run_size = 8, runs_a_block = 4;
-  constexpr std::size_t tests_an_edge = 32;
+  constexpr Index run_size = tuning::window_edges_a_run, runs_a_block = tuning::window_runs_a_block;
   struct Run {
     Box box;
     Index ring, first, last;
@@ -79,7 +77,7 @@ bool WindowClip::near_pairs_are_clear() const {
   std::size_t budget = 0;
   for (const Stretch& s : stretches_) {
     const Ring& ring = rings_[s.ring];
-    budget += tests_an_edge * (s.last - s.first);
+    budget += tuning::window_tests_an_edge * (s.last - s.first);
     for (Index first = s.first; first < s.last; first += run_size) {
       const Index last = std::min(first + run_size, s.last);
       Box box = Box::of(ring.from(first), ring.to(first));

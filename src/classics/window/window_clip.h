@@ -25,6 +25,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/tuning.h"
 #include "classics/window/window.h"
 
 namespace oblast::classics {
@@ -36,7 +37,7 @@ enum class SubjectKind { any, convex };
 SubjectKind kind_of(const RegionView& operand);
 
 /// Scratch memory that small calls need no more than; it may lie on the stack.
-inline constexpr std::size_t scratch_bytes = 12288;
+inline constexpr std::size_t scratch_bytes = tuning::window_scratch_bytes;
 
 class WindowClip {
  public:
@@ -113,7 +114,7 @@ class WindowClip {
   void add_window(bool counter_clockwise, RegionSet& result) const;
   std::optional<RegionSet> finish(Operation operation, RegionSet result) const;
 
-  static constexpr Index block_size = 32;
+  static constexpr Index block_size = tuning::window_edges_a_block;
 
   RegionView subject_;
   SubjectKind kind_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
@@ -190,8 +191,7 @@ class Labelling {
   /// What `base` says of a component is added to its labels.
   template <class Base>
   void add_to_labels(const Base& base) {
-    constexpr std::size_t chains_a_task = 65536;
-    for_ranges(right_.size(), chains_a_task, [&](std::size_t begin, std::size_t end) {
+    for_ranges(right_.size(), tuning::labelled_elements_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
         if (component_of_[c] != none) right_[c] = right_[c] + base(component_of_[c]);
     });

@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "memory/fetch.h"
 #include "memory/large_pages.h"
 
 namespace oblast::leonov_nikitin {
 namespace {
 
-/// Nodes of a range: what is carried around in one stays in the second-level cache.
-constexpr std::uint32_t range_size = 8192;
+constexpr std::uint32_t range_size = tuning::labelled_nodes_a_range;
 
 /// A chain that ends in one range and begins in another: its right side as the piece at its end has it.
 struct Border {
@@ -162,15 +162,14 @@ void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, c
     // The root is the smallest of its set, so it has its place before the others.
     places[piece] = {root == piece ? labels.component_count++ : places[root].component, offset};
   }
-  constexpr std::size_t grain = 1 << 16;
-  for_ranges(graph.chains.size(), grain, [&](std::size_t begin, std::size_t end) {
+  for_ranges(graph.chains.size(), tuning::labelled_elements_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       const Chain& chain = graph.chains[c];
       if (chain.is_loop() || labels.component[chain.from] == none) continue;
       labels.right[c] = labels.right[c] + places[piece_of(chain.from)].offset;
     }
   });
-  for_ranges(graph.node_count(), grain, [&](std::size_t begin, std::size_t end) {
+  for_ranges(graph.node_count(), tuning::labelled_elements_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node)
       if (labels.component[node] != none)
         labels.component[node] = places[piece_of(static_cast<std::uint32_t>(node))].component;

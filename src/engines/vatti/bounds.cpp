@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/tuning.h"
 #include "exact/orientation.h"
 
 namespace oblast::vatti {
@@ -110,8 +111,7 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
 
   // Step 3: bounds to their places.
   result.bounds.resize(found.bounds().size());
-  constexpr std::size_t elements_a_task = 4096;
-  for_ranges(found.bounds().size(), elements_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(found.bounds().size(), tuning::bounds_a_task, [&](std::size_t first, std::size_t past) {
     for (std::size_t i = first; i < past; ++i) {
       const FoundBound& b = found.bounds()[i];
       const std::uint32_t at = result.stops[place_of[b.start]].bounds_begin + b.rank;
@@ -127,7 +127,7 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
   });
 
   // Step 4: at each stop from below to above.
-  for_ranges(result.stop_count(), elements_a_task, [&](std::size_t first, std::size_t past) {
+  for_ranges(result.stop_count(), tuning::bounds_a_task, [&](std::size_t first, std::size_t past) {
     for (std::size_t s = first; s < past; ++s) {
       const auto begin = result.bounds.begin() + result.stops[s].bounds_begin;
       const auto end = result.bounds.begin() + result.stops[s + 1].bounds_begin;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 #include "overlay/simple_ring.h"
 
@@ -20,7 +21,7 @@ using noding::Box;
 
 /// One contour; a view. Edge e runs from vertex e to the next one.
 struct ContourTree {
-  static constexpr std::uint32_t edges_a_leaf = 8;
+  static constexpr std::uint32_t edges_a_leaf = tuning::contour_edges_a_leaf;
 
   std::span<const Point> ring;
   RingShape shape;

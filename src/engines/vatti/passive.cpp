@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "overlay/disjoint_sets.h"
 
@@ -37,7 +38,9 @@ struct Cells {
 class CountRaster {
  public:
   CountRaster(const Extent& whole, std::size_t cells)
-      : whole_(whole), side_(static_cast<std::uint32_t>(std::clamp(std::sqrt(double(cells)), 1.0, 8192.0))) {
+      : whole_(whole),
+        side_(static_cast<std::uint32_t>(
+            std::clamp(std::sqrt(double(cells)), 1.0, double(tuning::largest_raster_side)))) {
     const double width = whole.high.x - whole.low.x, height = whole.high.y - whole.low.y;
     scale_x_ = width > 0 ? side_ / width : 0;
     scale_y_ = height > 0 ? side_ / height : 0;
