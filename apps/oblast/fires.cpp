@@ -32,7 +32,12 @@ struct Pass {
 double clamp(double value, double low, double high) { return std::min(std::max(value, low), high); }
 
 // A bell without libm: the sum of three uniform numbers, within +-1.5.
-double bell(Random& random) { return random.uniform() + random.uniform() + random.uniform() - 1.5; }
+// Drawn in statements, here and below: compilers differ in the order of operands.
+double bell(Random& random) {
+  double sum = random.uniform();
+  sum += random.uniform();
+  return sum + random.uniform() - 1.5;
+}
 
 bool in_russia(Point p) { return p.x > west + 1 && p.x < east - 1 && p.y > south + 0.5 && p.y < north - 0.5; }
 
@@ -92,7 +97,8 @@ class Month {
       std::snprintf(name, sizeof name, "fires-2011-%02d-%02d-%02d%02d", table_.month, minute / 1440 + 1,
                     minute % 1440 / 60, minute % 60);
       const double centre = random_.uniform(west - 20, east + 20);
-      const double slope = (random_.chance(0.5) ? 1 : -1) * random_.uniform(0.06, 0.35);
+      const int side = random_.chance(0.5) ? 1 : -1;
+      const double slope = side * random_.uniform(0.06, 0.35);
       const Point origin{clamp(centre, west, east) + random_.uniform(), 61 + random_.uniform()};
       const double width = random_.uniform(1.0, 2.2), height = random_.uniform(1.0, 1.6);
       passes_.push_back({name, centre, Lattice(origin, slope, width, height), {}});

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators/circle.h"
 #include "generators/hostile.h"
 #include "generators/soup.h"
 
@@ -14,7 +15,7 @@ Ring roundish(Random& random, int corners) {
   for (int i = 0; i < corners; ++i) {
     const double angle = 6.283185307179586 * (i + 0.8 * random.unit()) / corners;
     const double radius = random.in(2, 9);
-    ring.push_back({10 + radius * std::cos(angle), 10 + radius * std::sin(angle)});
+    ring.push_back({10 + radius * cosine(angle), 10 + radius * sine(angle)});
   }
   return ring;
 }

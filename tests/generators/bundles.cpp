@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators/circle.h"
 #include "generators/hostile.h"
 #include "generators/soup.h"
 
@@ -37,7 +38,7 @@ Operands fans(std::uint64_t seed, int size) {
   const auto rim = [&]() -> Point {
     if (integers) return {static_cast<double>(random.between(-12, 12)), static_cast<double>(random.between(-12, 12))};
     const double angle = random.in(0, 6.283185307179586);
-    return {hub.x + radius * std::cos(angle), hub.y + radius * std::sin(angle)};
+    return {hub.x + radius * cosine(angle), hub.y + radius * sine(angle)};
   };
   for (int edges = 0; edges < size; edges += 3) {
     RegionSet& soup = random.one_in(2) ? operands.a : operands.b;
@@ -93,7 +94,7 @@ Operands stars(std::uint64_t seed, int size) {
     const int step = std::max(1, corners / 2 - random.below(3));
     for (int i = 0; i < corners; ++i) {
       const double angle = 6.283185307179586 * ((static_cast<double>(i) * step) / corners) + offset;
-      star.push_back({10 + 3 * std::cos(angle), 10 + 3 * std::sin(angle)});
+      star.push_back({10 + 3 * cosine(angle), 10 + 3 * sine(angle)});
       if (random.one_in(3)) star.back() = {random.in(7, 13), random.in(7, 13)};
     }
     add_polygon(*soup, star);

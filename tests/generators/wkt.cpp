@@ -2,7 +2,6 @@
 #include "generators/wkt.h"
 
 #include <charconv>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "generators/soup.h"
@@ -57,9 +56,10 @@ class Reader {
   }
 
   double number() {
-    char* end = nullptr;
-    const double value = std::strtod(at_, &end);
-    if (end == at_) fail("a number");
+    skip_space();
+    double value = 0;
+    const auto [end, error] = std::from_chars(at_, text_.c_str() + text_.size(), value);
+    if (error != std::errc()) fail("a number");
     at_ = end;
     return value;
   }

@@ -1,0 +1,6 @@
+# 64-bit ARM by Debian's cross compiler; programs run by qemu. tools/install --arm brings both, and tools/arm64-root
+# oneTBB.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)

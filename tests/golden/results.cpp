@@ -1,0 +1,94 @@
+// Calls of the library, and the digests of what they give. An error is a result as well: its code is.
+#include "golden/results.h"
+
+#include <oblast/error.h>
+#include <oblast/hull.h>
+#include <oblast/layers.h>
+#include <oblast/overlay.h>
+#include <oblast/triangulate.h>
+
+namespace oblast::golden {
+namespace {
+
+void add(Digest& digest, const FillRule& rule) {
+  digest.add(static_cast<std::uint64_t>(rule.kind));
+  digest.add(static_cast<std::uint64_t>(rule.depth));
+}
+
+void add(Digest& digest, const Options& options) {
+  add(digest, options.fill_a);
+  add(digest, options.fill_b);
+  digest.add(static_cast<std::uint64_t>(options.contours));
+  digest.add(static_cast<std::uint64_t>(options.collinear));
+}
+
+void add(Digest& digest, const Triangulation& mesh) {
+  digest.add(mesh.regions);
+  digest.add(std::span(mesh.points));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    digest.add(mesh.triangles[t]);
+    digest.add(mesh.neighbours[t]);
+    for (const bool is_side : mesh.is_side[t]) digest.add(std::uint64_t{is_side});
+    digest.add(std::uint64_t{mesh.polygon[t]});
+  }
+}
+
+/// Calls `compute`, which adds to the digest what it gets.
+template <class Compute>
+void attempt(Digest& digest, const Compute& compute) {
+  try {
+    compute();
+  } catch (const Error& error) {
+    digest.add(~static_cast<std::uint64_t>(error.code()));
+  }
+}
+
+}  // namespace
+
+InputAndResult four_operations(const RegionView& a, const RegionView& b, const Options& options) {
+  Digest input, result;
+  input.add(a);
+  input.add(b);
+  add(input, options);
+  for (const Operation operation :
+       {Operation::intersection, Operation::unite, Operation::difference, Operation::symmetric_difference})
+    attempt(result, [&] { result.add(overlay(a, b, operation, options)); });
+  return {input.value(), result.value()};
+}
+
+InputAndResult folded(std::span<const RegionSet> operands, Operation operation, const Options& options) {
+  Digest input, result;
+  for (const RegionSet& operand : operands) input.add(operand);
+  add(input, options);
+  input.add(static_cast<std::uint64_t>(operation));
+  attempt(result, [&] {
+    RegionSet sum = unite(operands.front(), options);
+    for (const RegionSet& operand : operands.subspan(1)) sum = overlay(sum, operand, operation, options);
+    result.add(sum);
+  });
+  return {input.value(), result.value()};
+}
+
+InputAndResult unions(const RegionView& a, std::initializer_list<FillRule> rules) {
+  Digest input, result;
+  input.add(a);
+  for (const FillRule& rule : rules) {
+    Options options;
+    options.fill_a = rule;
+    add(input, rule);
+    attempt(result, [&] { result.add(unite(a, options)); });
+  }
+  return {input.value(), result.value()};
+}
+
+InputAndResult hull_layers_triangulation(const RegionView& a) {
+  Digest input, result;
+  input.add(a);
+  attempt(result, [&] { result.add(hull(a)); });
+  for (const LayerRule rule : {LayerRule::interiors, LayerRule::boxes})
+    attempt(result, [&] { result.add(layers(a, rule).layer); });
+  attempt(result, [&] { add(result, triangulate(a)); });
+  return {input.value(), result.value()};
+}
+
+}  // namespace oblast::golden

@@ -1,0 +1,24 @@
+// What is computed of an input, and put into its digests.
+#pragma once
+
+#include <oblast/options.h>
+#include <oblast/region_set.h>
+
+#include <initializer_list>
+#include <span>
+
+#include "golden/digest.h"
+#include "golden/digest_file.h"
+
+namespace oblast::golden {
+
+/// All four operations on A and B.
+InputAndResult four_operations(const RegionView& a, const RegionView& b, const Options& options);
+/// A op B op C ...; the union of A where there is nothing else.
+InputAndResult folded(std::span<const RegionSet> operands, Operation operation, const Options& options);
+/// The union of A under each rule.
+InputAndResult unions(const RegionView& a, std::initializer_list<FillRule> rules);
+/// Hull, layers under either rule, and the triangulation of A.
+InputAndResult hull_layers_triangulation(const RegionView& a);
+
+}  // namespace oblast::golden
