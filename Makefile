@@ -1,6 +1,6 @@
 # What a person types. Everything is done by CMake, CTest and the scripts in tools/.
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test sanitize thread format lint bench fuzz clean
+.PHONY: help install build demo test golden sanitize thread format lint bench fuzz clean
 
 PROGRAM := build/release/apps/oblast/oblast
 
@@ -20,6 +20,9 @@ demo: build  ## a month of fires: generated, united, checked and drawn into buil
 
 test: build  ## every test, with totals
 	@tools/test release
+
+golden: install  ## writes the golden digests anew: after a change of bytes that is meant (CONTRIBUTING.md)
+	@tools/golden --write
 
 sanitize: install  ## the tests under the address and undefined-behaviour sanitizers
 	@cmake --preset sanitize -DOBLAST_BUILD_PROGRAM=ON && cmake --build --preset sanitize && tools/test sanitize

@@ -28,7 +28,8 @@ struct Settings {
   std::string write, check, slice = "1/1", shared = OBLAST_SHARED;
   std::vector<std::string> only;
   std::size_t slice_index = 0, slice_count = 1;
-  int show = 10;  // differences, by family
+  int show = 10;      // differences, by family
+  double slow = 1e9;  // seconds from which an input is named
 
   bool wants(const char* family) const {
     return only.empty() || std::find(only.begin(), only.end(), family) != only.end();
@@ -52,18 +53,26 @@ void take_slice(std::vector<Input>& inputs, const Settings& settings) {
   inputs = std::move(taken);
 }
 
-Digests compute(const Family& family) {
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Digests compute(const Family& family, const Settings& settings) {
   std::vector<InputAndResult> results(family.inputs.size());
   std::atomic<std::size_t> next{0};
   std::atomic<bool> failed{false};
   const auto work = [&] {
     for (std::size_t i; (i = next++) < results.size();) {
+      const auto start = std::chrono::steady_clock::now();
       try {
         results[i] = family.inputs[i].compute();
       } catch (const std::exception& error) {
         std::fprintf(stderr, "%s %s: %s\n", family.name, family.inputs[i].name.c_str(), error.what());
         failed = true;
       }
+      const double seconds = seconds_since(start);
+      if (seconds >= settings.slow)
+        std::printf("  %s %s: %.1f s\n", family.name, family.inputs[i].name.c_str(), seconds);
     }
   };
   {
@@ -135,7 +144,7 @@ std::size_t run(Family family, const Settings& settings) {
   }
   const auto start = std::chrono::steady_clock::now();
   take_slice(family.inputs, settings);
-  const Digests digests = compute(family);
+  const Digests digests = compute(family, settings);
   std::size_t differing = 0;
   if (!settings.write.empty()) {
     write(file_of(settings.write, family), family, digests);
@@ -143,8 +152,7 @@ std::size_t run(Family family, const Settings& settings) {
   } else {
     differing = compare(family, digests, read(file_of(settings.check, family)), settings);
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::printf(" (%.1f s)\n", seconds.count());
+  std::printf(" (%.1f s)\n", seconds_since(start));
   std::fflush(stdout);
   return differing;
 }
@@ -173,6 +181,7 @@ int main(int argc, char** argv) {
   app.add_option("--only", settings.only, "only these families")->check(CLI::IsMember(family_names));
   app.add_option("--shared", settings.shared, "the folder with the corpora and real layers")->capture_default_str();
   app.add_option("--show", settings.show, "differences shown, by family")->capture_default_str();
+  app.add_option("--slow", settings.slow, "name inputs that take so many seconds");
   CLI11_PARSE(app, argc, argv);
   try {
     if (settings.write.empty() == settings.check.empty()) throw std::runtime_error("--write FOLDER or --check FOLDER");
