@@ -1,4 +1,4 @@
-// `oblast check`: proves that a file is closed (G2), and on request canonical (G3).
+// `oblast check`: proves that a file is closed (G2), and on request canonical (G3) and the right answer.
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/read.h"
+#include "oblast/check_against.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 #include "oblast/names.h"
@@ -25,13 +26,22 @@ them (Shapefile), what GDAL reads counts.
 With --canonical also the order that oblast writes: each contour from its
 lexicographically smallest vertex, polygons and holes in order.
 
-Example
-  oblast check burnt.gpkg && echo fit for any GIS)";
+With --against also whether FILE is what oblast should have made of the operands: many
+points, anywhere and a few units in the last place beside edges, vertices and crossings,
+must be inside the result just where the operation says, decided exactly; so must all
+stretches of many lines. Without --op all operands are united, as by `oblast union`.
+Code of its own does this; it shares none with the overlay.
+
+Examples
+  oblast check burnt.gpkg && echo fit for any GIS
+  oblast check burnt.gpkg --against fires/
+  oblast check new.gpkg --against june.gpkg may.gpkg --op difference --points 1000000)";
 
 struct Arguments {
   std::string file;
   bool canonical = false;
   ContourConvention convention = ContourConvention::ogc;
+  AgainstArguments against;
 };
 
 // Faults that reading mends would go unseen: they are told from the report.
@@ -56,6 +66,8 @@ int run(const Arguments& arguments, bool json) {
     what = fault->what;
   }
   const std::string note = mended(layer.report);
+  std::optional<AgainstFindings> findings;
+  if (!fault && !arguments.against.operands.empty()) findings = check_against(layer, arguments.against);
   if (json) {
     nlohmann::ordered_json object{{"file", arguments.file},
                                   {"closed", closed},
@@ -65,6 +77,7 @@ int run(const Arguments& arguments, bool json) {
     if (arguments.canonical && closed) object["canonical"] = !fault;
     if (fault) object["fault"] = {{"what", what}, {"place", place}};
     if (!note.empty()) object["note"] = note;
+    if (findings) object["against"] = findings->json;
     fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (fault) {
     fmt::print("{}: {}\n  at {}\n", closed ? "not canonical" : "not closed", what,
@@ -75,7 +88,8 @@ int run(const Arguments& arguments, bool json) {
                counted(regions.points.size(), "vertex"));
   }
   if (!json && !note.empty()) fmt::print("  note: {}\n", note);
-  return fault ? exit_data : exit_done;
+  if (!json && findings) fmt::print("{}", findings->text);
+  return fault || (findings && !findings->right) ? exit_data : exit_done;
 }
 
 }  // namespace
@@ -94,6 +108,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
           "--contours", [arguments](const std::string& word) { arguments->convention = parse_contours(word); },
           "ogc (default) or leonov-nikitin: what contours may touch themselves")
       ->type_name("CONVENTION");
+  add_against_options(*command, arguments->against);
   command->add_flag("--json", invocation.json, "one object on standard output");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };

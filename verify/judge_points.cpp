@@ -1,0 +1,254 @@
+// Where points are, found by walking.
+//
+// A walker who knows where he is (inside which polygons, how often each contour goes round him) knows it still after a
+// walk, from the edges he stepped over. So points are halved, across the wider side of their box, until few are left.
+// With the points goes the list of edges that can reach their box, and a walker at its lower left corner. To go from a
+// corner to the next, and from the corner to a point, he walks to the side and then up, which leaves the box of the
+// points above nowhere; so the edges he may step over are in its list.
+//
+//      +----------------+    points of one half: .
+//      |         ......p|    their corner: o, the corner above: *
+//      |         :      |
+//      |    o----+ .    |    afterwards every step is taken back.
+//      |    ' .     .   |
+//      *----+-----------+
+#include "verify/judge_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <numeric>
+
+#include "verify/membership.h"
+#include "verify/slabs.h"
+
+namespace oblast::verify {
+namespace {
+
+constexpr std::size_t few_points = 6;
+constexpr std::size_t few_edges = 24;
+constexpr std::size_t most_uncertain = 8;  // 256 combinations
+
+struct Step {
+  std::uint32_t edge;
+  int side;
+};
+
+using Edges32 = std::vector<std::uint32_t>;
+
+struct Found {
+  OracleReport report;
+  std::size_t wrong_probe = static_cast<std::size_t>(-1);
+  WrongPlace wrong;
+};
+
+class Judge {
+ public:
+  Judge(const Segments& segments, const Question& question, std::span<const Probe> probes, double bound)
+      : segments_(segments),
+        question_(question),
+        probes_(probes),
+        bound_(bound),
+        margin_(bound + rounding_along(segments)),
+        walker_(question.rule_a, question.polygons_a, question.rule_b, question.polygons_b) {}
+
+  // Judges the probes whose indices are given, which it puts in another order.
+  Found run(std::span<std::uint32_t> order) {
+    if (order.empty()) return {};
+    Edges32 all(segments_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    // Left of everything and below it, where nothing is inside.
+    const Box& box = segments_.box();
+    descend({box.x0, box.y0}, all, order);
+    return std::move(found_);
+  }
+
+ private:
+  Point at(std::uint32_t probe) const { return probes_[probe].at; }
+
+  Box box_of(std::span<const std::uint32_t> order) const {
+    const Point first = at(order.front());
+    Box box{first.x, first.y, first.x, first.y};
+    for (const std::uint32_t p : order) box.include(at(p));
+    return box;
+  }
+
+  void descend(const Point& corner, const Edges32& above, std::span<std::uint32_t> order) {
+    const Box box = box_of(order);
+    const Point here{box.x0, box.y0};
+    const std::size_t steps = walk(corner, here, above);
+    Edges32 edges;
+    std::copy_if(above.begin(), above.end(), std::back_inserter(edges),
+                 [&](std::uint32_t e) { return may_reach(segments_[e], box, margin_); });
+    if (order.size() <= few_points || edges.size() <= few_edges) {
+      for (const std::uint32_t p : order) judge(p, here, edges);
+    } else {
+      const bool wide = box.x1 - box.x0 > box.y1 - box.y0;
+      const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
+      std::nth_element(order.begin(), middle, order.end(),
+                       [&](std::uint32_t p, std::uint32_t q) { return wide ? at(p).x < at(q).x : at(p).y < at(q).y; });
+      descend(here, edges, std::span(order.begin(), middle));
+      descend(here, edges, std::span(middle, order.end()));
+    }
+    take_back(steps);
+  }
+
+  // From q to r by way of (r.x, q.y). Returns how many steps had been taken before.
+  std::size_t walk(const Point& q, const Point& r, const Edges32& edges) {
+    const std::size_t before = steps_.size();
+    const Point corner{r.x, q.y};
+    const auto [low_x, high_x] = std::minmax({q.x, r.x});
+    const auto [low_y, high_y] = std::minmax({q.y, r.y});
+    for (const std::uint32_t e : edges) {
+      const Segment& s = segments_[e];
+      if (spans_height_of(s, q) && std::max(s.from.x, s.to.x) >= low_x && std::min(s.from.x, s.to.x) <= high_x) {
+        cross(e, side_of(s, q), side_of(s, corner));
+      }
+      if (spans_width_of(s, r) && std::max(s.from.y, s.to.y) >= low_y && std::min(s.from.y, s.to.y) <= high_y) {
+        cross(e, side_of(s, corner), side_of(s, r));
+      }
+    }
+    return before;
+  }
+
+  void cross(std::uint32_t edge, int side_before, int side_after) {
+    if (side_before == side_after) return;
+    walker_.step_over(segments_[edge], side_after);
+    steps_.push_back({edge, side_after});
+  }
+
+  void take_back(std::size_t until) {
+    while (steps_.size() > until) {
+      walker_.step_over(segments_[steps_.back().edge], -steps_.back().side);
+      steps_.pop_back();
+    }
+  }
+
+  void judge(std::uint32_t probe, const Point& corner, const Edges32& edges) {
+    const std::size_t steps = walk(corner, at(probe), edges);
+    const Surroundings around = look_around(probes_[probe], edges);
+    judge_here(probe, around);
+    take_back(steps);
+  }
+
+  struct Surroundings {
+    std::vector<Step> uncertain;  // with the side on which the point has them
+    bool near_an_edge = false;    // certain or not
+    bool on_the_result = false;   // on an edge of it
+    double distance = HUGE_VAL;   // to the nearest input edge, for vertices of the result only
+  };
+
+  Surroundings look_around(const Probe& probe, const Edges32& edges) const {
+    Surroundings around;
+    for (const std::uint32_t e : edges) {
+      const Segment& s = segments_[e];
+      if (s.owner == EdgeOf::result) {
+        around.on_the_result = around.on_the_result || lies_on(s, probe.at);
+      } else if (may_be_near(s, probe.at, bound_)) {
+        around.near_an_edge = true;
+        if (spans_height_of(s, probe.at)) around.uncertain.push_back({e, side_of(s, probe.at)});
+        if (probe.kind == ProbeKind::result_vertex) {
+          around.distance = std::min(around.distance, distance_in_box(s, probe.at));
+        }
+      }
+    }
+    return around;
+  }
+
+  void judge_here(std::uint32_t probe, const Surroundings& around) {
+    const bool in_a = walker_.in_a(), in_b = walker_.in_b();
+    auto& count = found_.report.points[static_cast<int>(probes_[probe].kind)];
+    const auto wrong = [&](const char* what) {
+      if (probe < found_.wrong_probe) found_.wrong_probe = probe, found_.wrong = {what, at(probe), in_a, in_b};
+    };
+    if (around.distance < HUGE_VAL) {
+      found_.report.largest_displacement = std::max(found_.report.largest_displacement, around.distance);
+    }
+    if (around.on_the_result) {
+      if (!around.near_an_edge) return wrong("an edge of the result lies where no input edge is within the bound");
+      ++(probes_[probe].kind == ProbeKind::result_vertex ? count.within_bound : count.too_near);
+      return;
+    }
+    const int winding = walker_.result_winding();
+    if (winding != 0 && winding != 1) return wrong("the result goes round this place more than once, or the wrong way");
+    const Values may_be = values(around.uncertain);
+    if (may_be.yes && may_be.no) {
+      ++count.too_near;
+      return;
+    }
+    ++(around.near_an_edge ? count.within_bound : count.certain);
+    if (may_be.yes != (winding == 1)) {
+      wrong(may_be.yes ? "outside of the result, but the operation says inside"
+                       : "inside the result, but the operation says outside");
+    }
+  }
+
+  struct Values {
+    bool yes = false, no = false;
+  };
+
+  // What the operation says, with the uncertain edges on either side in every combination: by Gray's code each is
+  // one step from the one before.
+  Values values(std::vector<Step> uncertain) {
+    if (uncertain.size() > most_uncertain) return {true, true};
+    Values values;
+    const unsigned combinations = 1u << uncertain.size();
+    for (unsigned i = 0; i < combinations; ++i) {
+      (selects(question_.operation, walker_.in_a(), walker_.in_b()) ? values.yes : values.no) = true;
+      // The last of them is stepped over once more, which brings the walker back to where he was.
+      const unsigned change = (i + 1 == combinations) ? combinations >> 1 : (i + 1) & ~i;
+      for (std::size_t k = 0; k < uncertain.size(); ++k) {
+        if ((change >> k & 1) == 0) continue;
+        uncertain[k].side = -uncertain[k].side;
+        walker_.step_over(segments_[uncertain[k].edge], uncertain[k].side);
+      }
+    }
+    return values;
+  }
+
+  const Segments& segments_;
+  const Question& question_;
+  std::span<const Probe> probes_;
+  double bound_, margin_;
+  Membership walker_;
+  std::vector<Step> steps_;
+  Found found_;
+};
+
+void add(OracleReport& sum, const OracleReport& more) {
+  for (int k = 0; k < probe_kinds; ++k) {
+    sum.points[k].certain += more.points[k].certain;
+    sum.points[k].within_bound += more.points[k].within_bound;
+    sum.points[k].too_near += more.points[k].too_near;
+  }
+  sum.largest_displacement = std::max(sum.largest_displacement, more.largest_displacement);
+}
+
+}  // namespace
+
+std::optional<WrongPlace> judge_points(const Segments& segments, const Question& question,
+                                       std::span<const Probe> probes, double bound, int threads, OracleReport& report) {
+  std::vector<std::uint32_t> order(probes.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t p, std::uint32_t q) { return probes[p].at.x < probes[q].at.x; });
+  // Strips of as many points for each thread.
+  std::vector<std::future<Found>> strips;
+  for (int t = 0; t < threads; ++t) {
+    const std::size_t first = order.size() * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+    const std::size_t last = order.size() * static_cast<std::size_t>(t + 1) / static_cast<std::size_t>(threads);
+    strips.push_back(std::async(std::launch::async, [&, part = std::span(order).subspan(first, last - first)] {
+      return Judge(segments, question, probes, bound).run(part);
+    }));
+  }
+  Found first_wrong;
+  for (auto& strip : strips) {
+    Found found = strip.get();
+    add(report, found.report);
+    if (found.wrong_probe < first_wrong.wrong_probe) first_wrong = std::move(found);
+  }
+  if (first_wrong.wrong.what.empty()) return std::nullopt;
+  return first_wrong.wrong;
+}
+
+}  // namespace oblast::verify
