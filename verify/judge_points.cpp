@@ -27,7 +27,6 @@ namespace {
 
 constexpr std::size_t few_points = 6;
 constexpr std::size_t few_edges = 24;
-constexpr std::size_t most_uncertain = 8;  // 256 combinations
 
 struct Step {
   std::uint32_t edge;
@@ -126,16 +125,16 @@ class Judge {
 
   void judge(std::uint32_t probe, const Point& corner, const Edges32& edges) {
     const std::size_t steps = walk(corner, at(probe), edges);
-    const Surroundings around = look_around(probes_[probe], edges);
+    Surroundings around = look_around(probes_[probe], edges);
     judge_here(probe, around);
     take_back(steps);
   }
 
   struct Surroundings {
-    std::vector<Step> uncertain;  // with the side on which the point has them
-    bool near_an_edge = false;    // certain or not
-    bool on_the_result = false;   // on an edge of it
-    double distance = HUGE_VAL;   // to the nearest input edge, for vertices of the result only
+    std::vector<UncertainEdge> of_a, of_b;
+    bool near_an_edge = false;   // certain or not
+    bool on_the_result = false;  // on an edge of it
+    double distance = HUGE_VAL;  // to the nearest input edge, for vertices of the result only
   };
 
   Surroundings look_around(const Probe& probe, const Edges32& edges) const {
@@ -146,7 +145,9 @@ class Judge {
         around.on_the_result = around.on_the_result || lies_on(s, probe.at);
       } else if (may_be_near(s, probe.at, bound_)) {
         around.near_an_edge = true;
-        if (spans_height_of(s, probe.at)) around.uncertain.push_back({e, side_of(s, probe.at)});
+        if (spans_height_of(s, probe.at)) {
+          (s.owner == EdgeOf::a ? around.of_a : around.of_b).push_back({&s, side_of(s, probe.at)});
+        }
         if (probe.kind == ProbeKind::result_vertex) {
           around.distance = std::min(around.distance, distance_in_box(s, probe.at));
         }
@@ -155,7 +156,7 @@ class Judge {
     return around;
   }
 
-  void judge_here(std::uint32_t probe, const Surroundings& around) {
+  void judge_here(std::uint32_t probe, Surroundings& around) {
     const bool in_a = walker_.in_a(), in_b = walker_.in_b();
     auto& count = found_.report.points[static_cast<int>(probes_[probe].kind)];
     const auto wrong = [&](const char* what) {
@@ -171,7 +172,7 @@ class Judge {
     }
     const int winding = walker_.result_winding();
     if (winding != 0 && winding != 1) return wrong("the result goes round this place more than once, or the wrong way");
-    const Values may_be = values(around.uncertain);
+    const MayBe may_be = may_be_selected(walker_.may_be_in_a(around.of_a), walker_.may_be_in_b(around.of_b));
     if (may_be.yes && may_be.no) {
       ++count.too_near;
       return;
@@ -183,27 +184,15 @@ class Judge {
     }
   }
 
-  struct Values {
-    bool yes = false, no = false;
-  };
-
-  // What the operation says, with the uncertain edges on either side in every combination: by Gray's code each is
-  // one step from the one before.
-  Values values(std::vector<Step> uncertain) {
-    if (uncertain.size() > most_uncertain) return {true, true};
-    Values values;
-    const unsigned combinations = 1u << uncertain.size();
-    for (unsigned i = 0; i < combinations; ++i) {
-      (selects(question_.operation, walker_.in_a(), walker_.in_b()) ? values.yes : values.no) = true;
-      // The last of them is stepped over once more, which brings the walker back to where he was.
-      const unsigned change = (i + 1 == combinations) ? combinations >> 1 : (i + 1) & ~i;
-      for (std::size_t k = 0; k < uncertain.size(); ++k) {
-        if ((change >> k & 1) == 0) continue;
-        uncertain[k].side = -uncertain[k].side;
-        walker_.step_over(segments_[uncertain[k].edge], uncertain[k].side);
+  MayBe may_be_selected(const MayBe& a, const MayBe& b) const {
+    MayBe selected{false, false};
+    for (const bool in_a : {false, true}) {
+      for (const bool in_b : {false, true}) {
+        if (!(in_a ? a.yes : a.no) || !(in_b ? b.yes : b.no)) continue;
+        (selects(question_.operation, in_a, in_b) ? selected.yes : selected.no) = true;
       }
     }
-    return values;
+    return selected;
   }
 
   const Segments& segments_;

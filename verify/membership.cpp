@@ -1,6 +1,8 @@
 // The fill rules, one step at a time.
 #include "verify/membership.h"
 
+#include <algorithm>
+
 namespace oblast::verify {
 
 Membership::Membership(const FillRule& a, std::size_t polygons_a, const FillRule& b, std::size_t polygons_b)
@@ -31,22 +33,47 @@ void Membership::Side::step_over(const Segment& s, int side) {
   covering += inside_polygon != 0 ? 1 : -1;
 }
 
-bool Membership::Side::inside() const {
+// By winding numbers, each uncertain edge may add its change. By polygons: a polygon with one uncertain edge is here or
+// not. With two or more its edges may have changed places, and it may go round a sliver between them twice or the wrong
+// way, which counts; each edge changes that by one at most.
+MayBe Membership::Side::may_be_inside(std::span<UncertainEdge> edges) const {
+  std::int64_t low = rule.by_polygon() ? covering : winding, high = low;
+  if (!rule.by_polygon()) {
+    for (const UncertainEdge& e : edges) (e.side > 0 ? --low : ++high);
+    return by_number(low, high);
+  }
+  const auto by_polygon = [](const UncertainEdge& e, const UncertainEdge& f) {
+    return e.segment->polygon < f.segment->polygon;
+  };
+  std::sort(edges.begin(), edges.end(), by_polygon);
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::upper_bound(first, edges.end(), *first, by_polygon);
+    const std::int64_t count = last - first;
+    const bool here = odd[first->segment->polygon] != 0;
+    if (count > 1 || here) low -= count;
+    if (count > 1 || !here) high += count;
+    first = last;
+  }
+  return by_number(low, high);
+}
+
+// Whether numbers from low to high may mean inside, or outside.
+MayBe Membership::Side::by_number(std::int64_t low, std::int64_t high) const {
   switch (rule.kind) {
     case FillRule::Kind::polygons:
-      return covering > 0;
+      return {high > 0, low <= 0};
     case FillRule::Kind::at_least:
-      return covering >= rule.depth;
+      return {high >= rule.depth, low < rule.depth};
     case FillRule::Kind::even_odd:
-      return winding % 2 != 0;
+      return {low != high || low % 2 != 0, low != high || low % 2 == 0};
     case FillRule::Kind::nonzero:
-      return winding != 0;
+      return {low != 0 || high != 0, low <= 0 && high >= 0};
     case FillRule::Kind::positive:
-      return winding > 0;
+      return {high > 0, low <= 0};
     case FillRule::Kind::negative:
-      return winding < 0;
+      return {low < 0, high >= 0};
   }
-  return false;
+  return {true, true};
 }
 
 }  // namespace oblast::verify

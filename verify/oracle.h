@@ -4,11 +4,11 @@
 // the box of the edge, is monotone in x and y, and lies within the bound of the edge. (Edges of polygons that are
 // resolved first, and edges straightened where a trace was taken out, are such chains too.) So the side on which a
 // point p has the edge is certain unless p lies in the edge's box and within the bound of it. Call those edges
-// *uncertain at p*. Their sides are tried in every combination:
+// *uncertain at p*; each may be on either side, whatever the others do.
 //
 //            . .  p3 . . . . .        p1: no edge is uncertain. The result has p1 exactly if A op B has.
-//   p1    . --------------- .  edge   p2: within the bound. Whichever side of the edge it is on, if A op B says the
-//          . . . p2 . . . .           same, the result must. If not, p2 is *too near to judge*.
+//   p1    . --------------- .  edge   p2: within the bound. If A op B says the same whichever side of the edge it is
+//          . . . p2 . . . .           on, so must the result. If not, p2 is *too near to judge*.
 //                                     p3: just outside of the bound: certain.
 //
 // The same argument along a line: an edge that crosses the line crosses it once after rounding as well, within the
@@ -44,7 +44,7 @@ struct OracleOptions {
 struct OracleReport {
   struct Count {
     std::uint64_t certain = 0;       ///< judged: further than the bound from every edge
-    std::uint64_t within_bound = 0;  ///< judged although within it: either side says the same
+    std::uint64_t within_bound = 0;  ///< judged although within it: either side would say the same
     std::uint64_t too_near = 0;      ///< not judged
   };
   Count points[probe_kinds];        ///< by ProbeKind

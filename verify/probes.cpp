@@ -15,6 +15,7 @@ class Chooser {
   Chooser(const Segments& segments, std::uint64_t seed) : segments_(segments), random_(seed) {
     const Box& box = segments.box();
     extent_ = std::max({box.x1 - box.x0, box.y1 - box.y0, 100 * segments.unit()});
+    find_new_vertices();
   }
 
   void anywhere(std::uint64_t count) {
@@ -41,16 +42,23 @@ class Chooser {
     for_even_steps(first, last, count, [&](const Segment& s) { about(s.from, ProbeKind::by_vertex); });
   }
 
+  // Every other one is a vertex that no operand has, if there is any.
   void at_result_vertices(std::uint64_t count) {
-    for_even_steps(segments_.input_count(), segments_.size(), count,
+    const std::uint64_t count_new = new_vertices_.empty() ? 0 : count / 2;
+    for (std::uint64_t i = 0; i < count_new; ++i) add(step_through_new(i, count_new), ProbeKind::result_vertex);
+    for_even_steps(segments_.input_count(), segments_.size(), count - count_new,
                    [&](const Segment& s) { add(s.from, ProbeKind::result_vertex); });
   }
 
+  // Crossings that the result shows, and others that were found without it.
   void by_crossings(std::uint64_t count) {
     if (count == 0) return;
     const std::vector<Point> places = some_crossings(segments_, count, random_);
+    std::uint64_t count_new = new_vertices_.empty() ? 0 : count / 2;
+    if (places.empty() && count_new > 0) count_new = count;
+    for (std::uint64_t i = 0; i < count_new; ++i) about(step_through_new(i, count_new), ProbeKind::by_crossing);
     if (places.empty()) return;
-    for (std::uint64_t i = 0; i < count; ++i) about(places[i % places.size()], ProbeKind::by_crossing);
+    for (std::uint64_t i = count_new; i < count; ++i) about(places[i % places.size()], ProbeKind::by_crossing);
   }
 
   std::vector<Probe> take() { return std::move(probes_); }
@@ -63,6 +71,22 @@ class Chooser {
     for (std::uint64_t i = 0; i < count; ++i) {
       const double at = (static_cast<double>(i) + uniform(random_)) * step;
       visit(segments_[std::min(first + static_cast<std::uint32_t>(at), last - 1)]);
+    }
+  }
+
+  const Point& step_through_new(std::uint64_t i, std::uint64_t count) const {
+    const std::size_t size = new_vertices_.size();
+    return size <= count ? new_vertices_[i % size] : new_vertices_[size / count * i];
+  }
+
+  // Vertices of the result that are not vertices of an operand.
+  void find_new_vertices() {
+    std::vector<Point> old;
+    for (std::uint32_t e = 0; e < segments_.input_count(); ++e) old.push_back(segments_[e].from);
+    std::sort(old.begin(), old.end(), lexicographically_less);
+    for (std::uint32_t e = segments_.input_count(); e < segments_.size(); ++e) {
+      const Point& p = segments_[e].from;
+      if (!std::binary_search(old.begin(), old.end(), p, lexicographically_less)) new_vertices_.push_back(p);
     }
   }
 
@@ -88,6 +112,7 @@ class Chooser {
   const Segments& segments_;
   std::mt19937_64 random_;
   double extent_;
+  std::vector<Point> new_vertices_;
   std::vector<Probe> probes_;
 };
 

@@ -54,6 +54,7 @@ std::string mended(const io::ReadReport& report) {
 }
 
 int run(const Arguments& arguments, bool json) {
+  check_call(arguments.file, arguments.against);
   const std::vector<std::string> paths{arguments.file};
   const io::Layer layer = io::read(paths);
   const RegionView regions = layer.regions;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <oblast/domain.h>
 
+#include <algorithm>
+
 #include "io/crs.h"
 #include "io/read.h"
 #include "oblast/command.h"
@@ -21,12 +23,7 @@ constexpr const char* kind_names[verify::probe_kinds] = {"anywhere", "by edges",
                                                          "vertices of the result"};
 
 // `oblast union` makes one operand of all files; `oblast overlay` takes two.
-bool is_overlay(const AgainstArguments& arguments) {
-  if (!arguments.operation) return false;
-  if (arguments.operands.size() == 2) return true;
-  if (*arguments.operation == Operation::unite) return false;
-  throw CallError(fmt::format("--op {} takes two operands: --against A B", name(*arguments.operation)));
-}
+bool is_overlay(const AgainstArguments& arguments) { return arguments.operation && arguments.operands.size() == 2; }
 
 void check_domain(const io::Layer& layer) {
   for (std::size_t c = 0; c < layer.regions.contour_ends.size(); ++c) {
@@ -140,6 +137,16 @@ void add_against_options(CLI::App& command, AgainstArguments& arguments) {
       ->check(CLI::Range(0, 1024))
       ->type_name("N")
       ->needs("--against");
+}
+
+void check_call(const std::string& file, const AgainstArguments& arguments) {
+  const std::size_t operands = arguments.operands.size();
+  if (arguments.operation && *arguments.operation != Operation::unite && operands != 2) {
+    throw CallError(fmt::format("--op {} takes two operands: --against A B", name(*arguments.operation)));
+  }
+  if (arguments.fill_b && !is_overlay(arguments)) throw CallError("--fill-b is for two operands and --op");
+  const auto from_standard_input = std::count(arguments.operands.begin(), arguments.operands.end(), "-");
+  if (from_standard_input + (file == "-" ? 1 : 0) > 1) throw CallError("standard input (-) can be read only once");
 }
 
 AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments) {

@@ -26,6 +26,9 @@ struct AgainstArguments {
 
 void add_against_options(CLI::App& command, AgainstArguments& arguments);
 
+/// Throws CallError where the options contradict each other, or standard input would be read twice.
+void check_call(const std::string& file, const AgainstArguments& arguments);
+
 /// What was found, as words and as an object for --json.
 struct AgainstFindings {
   bool right = true;
@@ -33,7 +36,7 @@ struct AgainstFindings {
   nlohmann::ordered_json json;
 };
 
-/// Judges `result` (closed) by verify/oracle.h. Throws CallError, io::IoError.
+/// Judges `result` (closed) by verify/oracle.h. REQUIRES: check_call. Throws io::IoError.
 AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments);
 
 }  // namespace oblast::app

@@ -8,6 +8,7 @@
 #include "workloads/workloads.h"
 #ifdef OBLAST_BENCH_WITH_IO
 #include "io/read.h"
+#include "io/write.h"
 #endif
 
 namespace oblast::bench {
@@ -20,7 +21,7 @@ void list() {
 }
 
 struct Arguments {
-  std::string name, output;
+  std::string name, input, output;
   std::uint32_t size = 0;
   std::uint64_t seed = 1;
   std::vector<std::string> a, b;
@@ -38,8 +39,17 @@ Workload from_files(const Arguments& arguments) {
   workload.coverage = arguments.coverage;
   return workload;
 }
+
+void to_files(const Arguments& arguments) {
+  const Workload workload = read_workload(arguments.input);
+  if (workload.pairs() != 1) throw std::runtime_error("only workloads of one pair are exported");
+  const io::WriteOptions options{io::Existing::overwrite, {}, {}};
+  io::write(arguments.a.front(), workload.a.pair(0), options);
+  if (!arguments.b.empty()) io::write(arguments.b.front(), workload.b.pair(0), options);
+}
 #else
 Workload from_files(const Arguments&) { throw std::runtime_error("built without GDAL: no layers"); }
+void to_files(const Arguments&) { throw std::runtime_error("built without GDAL: no layers"); }
 #endif
 
 int run(int argc, char** argv) {
@@ -66,10 +76,19 @@ int run(int argc, char** argv) {
   layer->add_flag("--overlapping-b", arguments.overlapping_b, "polygons of B may overlap or share borders");
   layer->add_flag("--coverage", arguments.coverage, "polygons of A share borders vertex by vertex");
   layer->add_option("-o", arguments.output)->required();
+
+  CLI::App* exported = app.add_subcommand("export", "the operands of a workload of one pair, as files");
+  exported->add_option("FILE", arguments.input)->required();
+  exported->add_option("--a", arguments.a, "operand A as .wkt, .gpkg, ...; replaced")->required()->expected(1);
+  exported->add_option("--b", arguments.b, "operand B")->expected(1);
   CLI11_PARSE(app, argc, argv);
 
   if (app.got_subcommand("list")) {
     list();
+    return 0;
+  }
+  if (app.got_subcommand(exported)) {
+    to_files(arguments);
     return 0;
   }
   if (app.got_subcommand(layer)) {

@@ -253,6 +253,57 @@ TEST(Check, OrderCountsOnlyWhenAskedFor) {
   EXPECT_TRUE(json["fault"].contains("what"));
 }
 
+TEST(CheckAgainst, ProvesAnOverlayOrNamesTheWrongPlace) {
+  const Folder folder;
+  write_file(folder / "a.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  write_file(folder / "b.wkt", "POLYGON ((2 2, 6 2, 6 6, 2 6, 2 2))");
+  const Words against{"--against", folder.path("a.wkt"), folder.path("b.wkt"), "--points", "1000", "--lines", "20"};
+  const auto check = [&](const std::string& result, const Words& more) {
+    Words words{"check", "-"};
+    words.insert(words.end(), against.begin(), against.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return oblast_program(words, result);
+  };
+  const std::string both = "POLYGON ((2 2, 4 2, 4 4, 2 4, 2 2))",
+                    only_a = "POLYGON ((0 0, 4 0, 4 2, 2 2, 2 4, 0 4, 0 0))";
+  const ProgramRun right = check(both, {"--op", "intersection"});
+  EXPECT_EQ(right.code, 0) << right.out << right.err;
+  EXPECT_TRUE(contains(right.out, "right: no wrong place")) << right.out;
+  EXPECT_TRUE(contains(right.out, "area: 4,")) << right.out;
+
+  const ProgramRun wrong = check(only_a, {"--op", "intersection"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_TRUE(contains(wrong.out, "wrong: at (")) << wrong.out;
+  const ProgramRun json = check(only_a, {"--op", "intersection", "--json"});
+  EXPECT_EQ(json.code, 1);
+  EXPECT_EQ(Json::parse(json.out)["closed"], true);
+  EXPECT_EQ(Json::parse(json.out)["against"]["right"], false);
+  EXPECT_TRUE(Json::parse(json.out)["against"]["wrong"].contains("at"));
+
+  // Rules of either operand, and of one operand made of both files.
+  EXPECT_EQ(check(only_a, {"--op", "difference"}).code, 0);
+  EXPECT_EQ(check("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))", {"--op", "difference", "--fill-b", "atleast:2"}).code, 0);
+  EXPECT_EQ(check(both, {"--fill", "atleast:2"}).code, 0);
+  EXPECT_EQ(check(both, {"--fill", "atleast:3"}).code, 1);
+}
+
+TEST(CheckAgainst, RefusesWhatItCannotAnswer) {
+  const Folder folder;
+  write_file(folder / "a.wkt", two_squares);
+  EXPECT_EQ(oblast_program({"check", "-", "--against", folder.path("a.wkt"), "--op", "difference"}, two_squares).code,
+            2);
+  EXPECT_EQ(oblast_program({"check", "-", "--op", "union"}, two_squares).code, 2);
+  EXPECT_EQ(oblast_program({"check", "-", "--against", "-"}, two_squares).code, 2);
+  EXPECT_EQ(oblast_program({"check", "-", "--against", folder.path("a.wkt"), "--fill-b", "evenodd"}, two_squares).code,
+            2);
+  EXPECT_EQ(oblast_program({"check", "-", "--against", folder.path("a.wkt"), "--op", "clip"}, two_squares).code, 2);
+  write_file(folder / "huge.wkt", "POLYGON ((0 0, 1e200 0, 0 1, 0 0))");
+  const ProgramRun huge =
+      oblast_program({"check", "-", "--against", folder.path("huge.wkt")}, std::string(their_union));
+  EXPECT_EQ(huge.code, 1);
+  EXPECT_TRUE(contains(huge.err, "outside the domain")) << huge.err;
+}
+
 TEST(Interrupt, LeavesTheOldOutputAlone) {
 #ifdef __SANITIZE_THREAD__
   GTEST_SKIP() << "the thread sanitizer holds a signal back while the program waits for input";
