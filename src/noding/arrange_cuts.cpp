@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
+#include "noding/along.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {
@@ -18,7 +19,8 @@ class SortAlong {
  public:
   /// An edge from a to b.
   EdgeCut* operator()(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
-    const Direction direction{a.x < b.x, a.y < b.y};
+    const Along along(a, b);
+    const auto direction = [&](const EdgeCut& p, const EdgeCut& q) { return along(p.at, q.at); };
     if (end - begin <= tuning::few_cuts)
       std::sort(begin, end, direction);
     else
@@ -27,19 +29,9 @@ class SortAlong {
   }
 
  private:
-  /// Before another along an edge.
-  struct Direction {
-    bool rightward, upward;
-
-    bool operator()(const EdgeCut& p, const EdgeCut& q) const {
-      if (p.at.x != q.at.x) return (p.at.x < q.at.x) == rightward;
-      if (p.at.y != q.at.y) return (p.at.y < q.at.y) == upward;
-      return false;
-    }
-  };
-
   /// Into parts of the edge of one length, by counting; then each part. Where cuts are spread evenly a part has but one
   /// or two, and little of this is hard to foresee.
+  template <class Direction>
   void sort_many(const Point& a, const Point& b, std::span<EdgeCut> cuts, const Direction& direction) {
     const bool by_x = a.x != b.x;
     const double from = by_x ? a.x : a.y, to = by_x ? b.x : b.y;

@@ -51,7 +51,9 @@ double distance_from_line(const Point& p, Point a, Point b) {
   if (lexicographically_less(b, a)) std::swap(a, b);
   using exact::difference;
   const auto cross = difference(b.x, a.x) * difference(p.y, a.y) - difference(b.y, a.y) * difference(p.x, a.x);
-  return std::fabs(cross.estimate()) / std::hypot(b.x - a.x, b.y - a.y);
+  // Not std::hypot, whose last bit differs between C libraries. In the domain no square under- or overflows.
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  return std::fabs(cross.estimate()) / std::sqrt(dx * dx + dy * dy);
 }
 
 /// Remembers pairs of edges that were looked at a short while ago: cells that lie beside each other bring up the same
@@ -93,14 +95,14 @@ class CutList {
 /// What one thread found.
 struct Found {
   CutList cuts;
-  Array<std::uint32_t> tangled;  ///< strands, repeatedly
+  FirstFindings first;  ///< tangled strands repeatedly
   RecentPairs recent;
 };
 
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance, bool finds_tangled)
+  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance, const FirstFindings* first)
       : strands_(strands),
         points_(strands.points.data()),
         settling_(settling),
@@ -108,7 +110,9 @@ class MeetingTest {
         recent_(found.recent),
         clearance_(clearance),
         distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()),
-        tangled_(finds_tangled ? &found.tangled : nullptr) {}
+        first_(found.first),
+        seeks_identical_(first && first->seeks_identical),
+        seeks_tangled_(first && first->seeks_tangled) {}
 
   /// Every edge of one run against every edge of the other whose boxes meet. First, without branches, the edges of
   /// each that reach into the box of the other: usually few.
@@ -144,7 +148,7 @@ class MeetingTest {
   void test_edges(std::uint32_t i, std::uint32_t j) {
     met_ = false;
     look_at(i, j);
-    if (met_ && tangled_) note_tangled(i, j);
+    if (met_ && seeks_tangled_) note_tangled(i, j);
   }
 
   /// A contour assumed to be simple is not if edges of it meet.
@@ -152,7 +156,7 @@ class MeetingTest {
     const std::size_t strand = strands_.strand_of(i);
     if (strands_.simplicity[strand] == Simplicity::known || j < strands_.begin(strand) || j >= strands_.ends[strand])
       return;
-    tangled_->push_back(static_cast<std::uint32_t>(strand));
+    first_.tangled.push_back(static_cast<std::uint32_t>(strand));
   }
 
   void look_at(std::uint32_t i, std::uint32_t j) {
@@ -222,6 +226,10 @@ class MeetingTest {
 
   /// The edges meet at the common end, and elsewhere only if they overlap.
   void test_edges_with_common_end(std::uint32_t i, std::uint32_t j) {
+    if (seeks_identical_) {
+      const Point &a = points_[i], &b = points_[i + 1], &c = points_[j], &d = points_[j + 1];
+      first_.identical |= (a == c && b == d) || (a == d && b == c);
+    }
     for (const std::uint32_t p : {i, i + 1}) {
       for (const std::uint32_t q : {j, j + 1}) {
         if (points_[p] != points_[q]) continue;
@@ -342,15 +350,15 @@ class MeetingTest {
   RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
-  Array<std::uint32_t>* tangled_;  ///< null where every contour is known to be simple
-  bool met_ = false;               ///< the two edges looked at meet
+  FirstFindings& first_;
+  bool seeks_identical_, seeks_tangled_;
+  bool met_ = false;  ///< the two edges looked at meet
 };
 
 }  // namespace
 
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
-                                  const std::function<void()>& checkpoint, Clearance* clearance,
-                                  Array<std::uint32_t>* tangled) {
+                                  const std::function<void()>& checkpoint, Clearance* clearance, FirstFindings* first) {
   LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->distance() : 0);
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
@@ -360,7 +368,7 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
     if (checkpoint) checkpoint();
     Found& mine = by_thread ? by_thread->local() : by_caller;
     if (repeats) mine.recent.prepare();
-    MeetingTest test(strands, settling, mine, clearance, tangled != nullptr);
+    MeetingTest test(strands, settling, mine, clearance, first);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
   Nearness nearness;
@@ -370,11 +378,15 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
   if (by_thread)
     for (Found& part : *by_thread) by_threads.push_back(std::move(part));
   const std::span<const Found> found = by_thread ? std::span<const Found>(by_threads) : std::span(&by_caller, 1);
-  if (tangled) {
-    for (const Found& part : found) tangled->insert(tangled->end(), part.tangled.begin(), part.tangled.end());
-    std::sort(tangled->begin(), tangled->end());
-    tangled->erase(std::unique(tangled->begin(), tangled->end()), tangled->end());
-    if (!tangled->empty()) return {};
+  if (first) {
+    Array<std::uint32_t>& tangled = first->tangled;
+    for (const Found& part : found) {
+      tangled.insert(tangled.end(), part.first.tangled.begin(), part.first.tangled.end());
+      first->identical |= part.first.identical;
+    }
+    std::sort(tangled.begin(), tangled.end());
+    tangled.erase(std::unique(tangled.begin(), tangled.end()), tangled.end());
+    if (first->asks_for_change()) return {};
   }
   Array<std::span<const EdgeCut>> blocks;
   for (const Found& part : found)

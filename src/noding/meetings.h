@@ -22,6 +22,15 @@ struct EdgeCut {
 
 class Clearance;
 
+/// What the first round finds that is to be put right before edges are cut.
+struct FirstFindings {
+  bool seeks_identical = false, seeks_tangled = false;
+  Array<std::uint32_t> tangled;  ///< strands assumed to be simple that are not, sorted; if sought
+  bool identical = false;        ///< some two edges have the same two ends; if sought
+
+  bool asks_for_change() const { return identical || !tangled.empty(); }
+};
+
 /// How a round of noding settles a crossing.
 ///
 /// The first round puts a new vertex at every crossing, rounded to the nearest double. Where edges run within an
@@ -48,10 +57,10 @@ struct Settling {
 /// function of the set of edges alone.
 /// Edges that may meet others anew once they are cut are flagged near_flag: with a `clearance` those that do not keep
 /// clear (REQUIRES: Grouping::none), else all that are cut.
-/// With `tangled`, strands assumed to be simple that are not are put there, sorted; there are no cuts then.
+/// With `first`, what it lists is looked for; if there is any, no cuts are returned.
 /// `checkpoint` is called between batches, from any thread; it may throw to cancel.
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
-                                  Array<std::uint32_t>* tangled = nullptr);
+                                  FirstFindings* first = nullptr);
 
 }  // namespace oblast::noding

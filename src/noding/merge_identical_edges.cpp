@@ -296,12 +296,13 @@ class Remainder {
 
 }  // namespace
 
-IdenticalEdges identical_edges(const Strands& strands) {
+IdenticalEdges identical_edges(const Strands& strands, Seek seek) {
   constexpr std::size_t worth_sampling = tuning::edges_worth_sampling;
   constexpr double many = tuning::many_repeated;
+  if (seek == Seek::no || strands.points.empty()) return {};
   const std::size_t edges = strands.points.size();
   const double part = edges < worth_sampling ? many / 2 : repeated_part(strands);
-  if (part == 0) return {};
+  if (part == 0 && seek == Seek::if_frequent) return {};
   LargeArray<std::uint32_t> hashes = hash_edges(strands.points);
   if (part < many) return find_few(strands, std::move(hashes));
   const auto all = [](std::uint32_t) { return true; };

@@ -19,9 +19,15 @@ struct IdenticalEdges {
   bool empty() const { return first_of.empty(); }
 };
 
-/// Where they are next to none among many, none may be found: noding merges what it meets. Which are found depends on
-/// the set of edges alone. Cost: linear, expected.
-IdenticalEdges identical_edges(const Strands& strands);
+/// How carefully identical edges are looked for.
+enum class Seek {
+  no,           ///< not at all
+  if_frequent,  ///< all of them; none if a sample of many edges has no two that are identical
+  all,
+};
+
+/// Cost: linear, expected.
+IdenticalEdges identical_edges(const Strands& strands, Seek seek = Seek::all);
 
 /// The strands without repeated edges: of identical ones one is left, as a strand of its own in group 0, or none where
 /// the changes cancel. Strands break where an edge was taken out. Cost: linear.

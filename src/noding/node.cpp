@@ -65,15 +65,16 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   flag_closed_strands(strands);
   LargeArray<Point> input;  // the vertices as given, once there were cuts
   Grouping grouping = first_grouping(strands);
-  Array<std::uint32_t>* tangled = strands.has_assumed() ? &report.tangled : nullptr;
+  report.first.seeks_tangled = strands.has_assumed();
+  FirstFindings* first = &report.first;
   for (bool moved = true; moved; grouping = Grouping::by_moved) {
     ++report.rounds;
     std::optional<Clearance> clearance;
     if (grouping == Grouping::none) clearance.emplace(strands);
     const LargeArray<EdgeCut> cuts = find_meetings(strands, grouping, Settling::of_round(report.rounds), checkpoint,
-                                                   clearance ? &*clearance : nullptr, tangled);
-    if (!report.tangled.empty()) return strands;
-    tangled = nullptr;
+                                                   clearance ? &*clearance : nullptr, first);
+    if (report.first.asks_for_change()) return strands;
+    first = nullptr;
     report.cuts += cuts.size();
     if (cuts.empty()) break;
     if (input.empty() && report.measures_displacement) input = strands.points;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "memory/call_memory.h"
+#include "noding/meetings.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {
@@ -20,7 +20,7 @@ struct NodingReport {
   std::uint64_t cuts = 0;           ///< cuts of edges, over all rounds
   double largest_displacement = 0;  ///< of a cut point from the input edge it lies on, coordinate units; if measured
   bool measures_displacement;
-  Array<std::uint32_t> tangled;  ///< strands assumed to be simple that are not
+  FirstFindings first;  ///< the caller says whether identical edges are sought; node() whether tangled strands are
 };
 
 /// Asked before each round and between pieces of it, from any thread; may throw to cancel.
@@ -29,7 +29,8 @@ using Checkpoint = std::function<void()>;
 /// Settled strands: any two edges are disjoint, or identical, or share just one end. Every vertex where
 /// edges other than its own two end is flagged node_flag; so are the ends of open strands, and the
 /// first and last vertex of a closed strand that has a node. `origin` is filled when there were cuts.
-/// Where the report has tangled strands, all strands come back as they were.
+/// If report.first asks for a change (some edges are identical, or some strand is tangled), nothing is cut: the caller
+/// makes the change and nodes again.
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint = {});
 
 }  // namespace oblast::noding

@@ -39,10 +39,11 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
     statistics.resolved_polygons += tangled.size();
     strands = resolve_tangled(strands, tangled, control);
   };
+  // Which way identical edges are found makes no difference to what is noded: whatever is not looked for is found by
+  // the first round, which then asks for all of them to be merged.
+  auto seek = strands.points.size() <= tuning::few_merged_vertices ? noding::Seek::no : noding::Seek::if_frequent;
   for (;;) {
-    const noding::IdenticalEdges identical = strands.points.size() <= tuning::few_merged_vertices
-                                                 ? noding::IdenticalEdges{}
-                                                 : noding::identical_edges(strands);
+    const noding::IdenticalEdges identical = noding::identical_edges(strands, seek);
     if (!identical.empty() && strands.has_assumed()) {
       if (const auto tangled = find_tangled(strands); !tangled.empty()) {
         resolve_all(tangled);
@@ -50,11 +51,13 @@ Strands node_strands(Strands strands, noding::NodingReport& report, Control& con
       }
     }
     strands = noding::merge_identical_edges(std::move(strands), identical);
+    report.first.seeks_identical = true;
     strands = noding::node(std::move(strands), report, checkpoint);
-    if (report.tangled.empty()) return strands;
-    const Array<std::uint32_t> tangled = std::move(report.tangled);
+    const noding::FirstFindings first = std::move(report.first);
+    if (!first.asks_for_change()) return strands;
     report = noding::NodingReport(report.measures_displacement);
-    resolve_all(tangled);
+    if (first.identical) seek = noding::Seek::all;
+    if (!first.tangled.empty()) resolve_all(first.tangled);
   }
 }
 

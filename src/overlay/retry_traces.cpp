@@ -1,43 +1,40 @@
-// Shortest first, edges grow evenly: of n vertices that one edge got back, half go in edges of two pieces, a quarter in
-// edges of four. So although the box of a long slanting edge holds much that is not near it, few edges are long, and
-// all together look at O(n) others and not at n each.
+// Shortest first, edges grow evenly: of n vertices of one span, half go in edges of two pieces, a quarter in edges of
+// four. So few edges are long, and what lies near them is looked at O(log n) times.
 #include "overlay/retry_traces.h"
 
+#include <algorithm>
 #include <queue>
+#include <utility>
 
-#include "noding/box_tree.h"
-#include "overlay/edge_conflict.h"
+#include "noding/along.h"
+#include "noding/monotone_runs.h"
 
 namespace oblast {
 namespace {
 
-using noding::Box;
-
-/// The vertices along their rings.
-struct Links {
-  Array<std::uint32_t> before, after;
-
-  explicit Links(const Rings& rings) : before(rings.points.size()), after(rings.points.size()) {
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-      for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
-        before[v] = rings.before(r, v);
-        after[v] = rings.after(r, v);
-      }
-    }
-  }
-
-  void take_out(std::uint32_t v) {
-    after[before[v]] = after[v];
-    before[after[v]] = before[v];
-  }
-};
+constexpr std::uint32_t no_span = 0xffffffff;
 
 class Retry {
  public:
-  explicit Retry(Rings& rings)
-      : rings_(rings), links_(rings), waits_(rings.points.size(), 0), queue_(Later{rings.points}), tree_(reach()) {}
+  Retry(const TraceSpans& spans, const Array<bool>& refused, const Array<NearVertex>& near, Array<bool>& gone)
+      : spans_(spans),
+        rings_(spans.rings),
+        gone_(gone),
+        before_(rings_.points.size()),
+        after_(rings_.points.size()),
+        waits_(rings_.points.size(), false),
+        span_of_(rings_.points.size(), no_span),
+        queue_(Later{rings_.points}) {
+    link();
+    find_touches();
+    for (std::uint32_t s = 0; s < refused.size(); ++s) {
+      const TraceSpan& span = spans.spans[s];
+      if (!refused[s] || !span.is_monotone) continue;
+      for (std::uint32_t i = 1; i <= span.count; ++i) span_of_[spans.vertex(span, i)] = s;
+    }
+    sort_near(refused, near);
+  }
 
-  /// Flags what is to be taken out as trace.
   void run() {
     for (std::uint32_t v = 0; v < rings_.points.size(); ++v) push(v);
     while (!queue_.empty()) {
@@ -45,8 +42,8 @@ class Retry {
       queue_.pop();
       const std::uint32_t v = candidate.vertex;
       if (!waits_[v] || candidate != candidate_of(v)) continue;  // tried since, or waits with another edge
-      waits_[v] = 0;
-      if (!is_needed(v)) take_out(v);
+      waits_[v] = false;
+      if (may_go(v)) take_out(v);
     }
   }
 
@@ -65,82 +62,143 @@ class Retry {
     }
   };
 
-  LargeArray<Box> reach() const {
-    LargeArray<Box> boxes(rings_.points.size());
-    for (std::uint32_t v = 0; v < boxes.size(); ++v) boxes[v] = reach_of(v);
-    return boxes;
+  /// Vertices that stay so far, along their rings.
+  void link() {
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      const std::uint32_t begin = rings_.begin(r), end = rings_.ends[r];
+      std::uint32_t last = end;
+      do --last;
+      while (gone_[last]);
+      for (std::uint32_t v = begin, previous = last; v < end; ++v) {
+        if (gone_[v]) continue;
+        before_[v] = previous;
+        after_[previous] = v;
+        previous = v;
+      }
+    }
   }
 
-  bool is_restored(std::uint32_t v) const { return (rings_.flags[v] & restored_vertex) != 0; }
-
-  /// Of the edge that starts at v; and if v may go, of all that its going changes.
-  Box reach_of(std::uint32_t v) const {
-    const Box edge = Box::of(rings_.points[v], rings_.points[links_.after[v]]);
-    return is_restored(v) ? edge.joined(rings_.points[links_.before[v]]) : edge;
+  /// Vertices at which contours touch, those of one place beside each other.
+  void find_touches() {
+    for (std::uint32_t v = 0; v < rings_.points.size(); ++v)
+      if (rings_.flags[v] & touch_vertex) touches_.push_back(v);
+    std::sort(touches_.begin(), touches_.end(), [&](std::uint32_t v, std::uint32_t w) { return less(v, w); });
   }
+
+  bool less(std::uint32_t v, std::uint32_t w) const {
+    return lexicographically_less(rings_.points[v], rings_.points[w]);
+  }
+
+  /// By span, along it; and by vertex, the spans it is near to.
+  void sort_near(const Array<bool>& refused, const Array<NearVertex>& near) {
+    for (const NearVertex& n : near)
+      if (refused[n.span] && !gone_[n.vertex]) near_.push_back(n);
+    std::sort(near_.begin(), near_.end(), [&](const NearVertex& p, const NearVertex& q) {
+      if (p.span != q.span) return p.span < q.span;
+      const TraceSpan& span = spans_.spans[p.span];
+      const noding::Along along(spans_.point(span, 0), spans_.point(span, span.count + 1));
+      return along(rings_.points[p.vertex], rings_.points[q.vertex]);
+    });
+    by_vertex_.reserve(near_.size());
+    for (std::uint32_t i = 0; i < near_.size(); ++i)
+      if (span_of_[near_[i].vertex] != no_span) by_vertex_.push_back(i);
+    std::sort(by_vertex_.begin(), by_vertex_.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return near_[i].vertex != near_[j].vertex ? near_[i].vertex < near_[j].vertex : i < j;
+    });
+  }
+
+  bool is_candidate(std::uint32_t v) const { return span_of_[v] != no_span && !gone_[v]; }
 
   Candidate candidate_of(std::uint32_t v) const {
-    const Point &a = rings_.points[links_.before[v]], &c = rings_.points[links_.after[v]];
+    const Point &a = rings_.points[before_[v]], &c = rings_.points[after_[v]];
     return {(c.x - a.x) * (c.x - a.x) + (c.y - a.y) * (c.y - a.y), v};
   }
 
   void push(std::uint32_t v) {
-    if (!is_restored(v) || waits_[v]) return;
-    waits_[v] = 1;
+    if (!is_candidate(v) || waits_[v]) return;
+    waits_[v] = true;
     queue_.push(candidate_of(v));
   }
 
+  bool may_go(std::uint32_t v) const {
+    const std::uint32_t first = before_[v], last = after_[v];
+    if (has_edge(first, last)) return false;
+    const Point &a = rings_.points[first], &b = rings_.points[v], &c = rings_.points[last];
+    const noding::Along along(a, c);
+    const auto is_in_span = [](const NearVertex& n, std::uint32_t span) { return n.span < span; };
+    const std::uint32_t span = span_of_[v];
+    const auto begin = std::lower_bound(near_.begin(), near_.end(), span, is_in_span);
+    const auto end = std::lower_bound(begin, near_.end(), span + 1, is_in_span);
+    auto it = std::partition_point(begin, end, [&](const NearVertex& n) { return !along(a, rings_.points[n.vertex]); });
+    for (; it != end; ++it) {
+      const Point& p = rings_.points[it->vertex];
+      if (!along(p, c)) break;
+      if (gone_[it->vertex] || !box_of(a, b, c).contains(p)) continue;
+      const bool on_first = along(p, b);
+      if (is_between(a, c, on_first ? a : b, on_first ? b : c, p)) return false;
+    }
+    return true;
+  }
+
+  static noding::Box box_of(const Point& a, const Point& b, const Point& c) { return noding::Box::of(a, c).joined(b); }
+
+  /// Whether an edge joins the places of two vertices.
+  bool has_edge(std::uint32_t v, std::uint32_t w) const {
+    if (!(rings_.flags[v] & touch_vertex)) return joins(v, rings_.points[w]);
+    if (!(rings_.flags[w] & touch_vertex)) return joins(w, rings_.points[v]);
+    const auto [begin, end] = std::equal_range(touches_.begin(), touches_.end(), v,
+                                               [&](std::uint32_t p, std::uint32_t q) { return less(p, q); });
+    return std::any_of(begin, end, [&](std::uint32_t u) { return joins(u, rings_.points[w]); });
+  }
+  bool joins(std::uint32_t v, const Point& p) const {
+    return rings_.points[before_[v]] == p || rings_.points[after_[v]] == p;
+  }
+
   void take_out(std::uint32_t v) {
-    const Box changed = reach_of(v);
-    const std::uint32_t before = links_.before[v], after = links_.after[v];
-    rings_.flags[v] = trace_vertex;
-    links_.take_out(v);
-    tree_.remove(v);
+    gone_[v] = true;
+    const std::uint32_t before = before_[v], after = after_[v];
+    after_[before] = after;
+    before_[after] = before;
     for (const std::uint32_t neighbour : {before, after}) {
-      tree_.replace(neighbour, reach_of(neighbour));
-      waits_[neighbour] = 0;
+      waits_[neighbour] = false;
+      push(neighbour);
     }
     // What it was in the way of.
-    tree_.for_each_near(changed, [&](std::uint32_t w) {
-      push(w);
-      return true;
-    });
+    auto it = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), v,
+                               [&](std::uint32_t i, std::uint32_t vertex) { return near_[i].vertex < vertex; });
+    for (; it != by_vertex_.end() && near_[*it].vertex == v; ++it) {
+      const TraceSpan& span = spans_.spans[near_[*it].span];
+      const std::uint32_t u = staying_before(spans_.vertex(span, near_[*it].piece));
+      push(u);
+      push(after_[u]);
+    }
   }
 
-  /// Whether the rest of the result is in the way of an edge from the vertex before v to the one after it.
-  bool is_needed(std::uint32_t v) const {
-    const std::uint32_t first = links_.before[v], last = links_.after[v];
-    const Point &a = rings_.points[first], &b = rings_.points[v], &c = rings_.points[last];
-    const Box box = Box::of(a, c), swept = reach_of(v);
-    const auto lies_between = [&](const Point& p) {
-      if (p == a || p == b || p == c) return false;
-      PointInRing query(p);
-      query.add_edge(a, b);
-      query.add_edge(b, c);
-      query.add_edge(c, a);
-      return query.is_inside();
-    };
-    return !tree_.for_each_near(swept, [&](std::uint32_t e) {
-      if (e == first || e == v) return true;
-      const Point &p = rings_.points[e], &q = rings_.points[links_.after[e]];
-      const Box edge = Box::of(p, q);
-      if (!edge.meets(swept)) return true;
-      return !(edge.meets(box) && in_conflict(a, c, p, q)) && !lies_between(p) && !lies_between(q);
-    });
+  /// The vertex itself, or the last one before it in its ring that stays. Shortens the way for the next call.
+  std::uint32_t staying_before(std::uint32_t v) {
+    std::uint32_t found = v;
+    while (gone_[found]) found = before_[found];
+    while (gone_[v]) v = std::exchange(before_[v], found);
+    return found;
   }
 
-  Rings& rings_;
-  Links links_;
-  Array<std::uint8_t> waits_;  ///< by vertex: its newest candidate is in the queue
+  const TraceSpans& spans_;
+  const Rings& rings_;
+  Array<bool>& gone_;
+  Array<std::uint32_t> before_, after_;  ///< by vertex; of one that is gone: a vertex before it
+  Array<bool> waits_;                    ///< by vertex: its newest candidate is in the queue
+  Array<std::uint32_t> span_of_;         ///< by vertex; no_span where it stays in any case
+  Array<std::uint32_t> touches_;
+  Array<NearVertex> near_;          ///< span by span, along it
+  Array<std::uint32_t> by_vertex_;  ///< indices of those in near_ that may go, vertex by vertex
   std::priority_queue<Candidate, Array<Candidate>, Later> queue_;
-  noding::BoxTree tree_;  ///< by vertex: what it reaches
 };
 
 }  // namespace
 
-Rings retry_traces(Rings rings) {
-  Retry(rings).run();
-  return without(rings, trace_vertex);
+void retry_traces(const TraceSpans& spans, const Array<bool>& refused, const Array<NearVertex>& near,
+                  Array<bool>& gone) {
+  if (std::find(refused.begin(), refused.end(), true) != refused.end()) Retry(spans, refused, near, gone).run();
 }
 
 }  // namespace oblast

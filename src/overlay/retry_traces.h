@@ -1,14 +1,16 @@
-// A second chance for trace vertices that came back because two straightened edges were in each other's way: one of
-// the two may go.
+// Trace vertices of spans that may not go as a whole: some of their vertices may.
 #pragma once
 
-#include "overlay/rings.h"
+#include "memory/call_memory.h"
+#include "overlay/trace_spans.h"
 
 namespace oblast {
 
-/// Takes restored vertices out one by one until none can go without the rest of the result being met: the one with the
-/// shortest edge in its place first, of equal ones the lexicographically smallest. Cost: O(n log n), where boxes of
-/// edges tell what comes near them.
-Rings retry_traces(Rings rings);
+/// Takes trace vertices of the refused spans out one by one, until none can go: the one with the shortest edge in its
+/// place first, of equal ones the lexicographically smallest. `near` is of find_near_vertices(); `gone`, by vertex,
+/// says what is out already, and is added to. Spans that are not monotone stay as they are.
+/// Cost: O((n + k) log n) for k vertices near the refused spans, where few of them lie near each single edge.
+void retry_traces(const TraceSpans& spans, const Array<bool>& refused, const Array<NearVertex>& near,
+                  Array<bool>& gone);
 
 }  // namespace oblast

@@ -12,9 +12,8 @@ namespace oblast {
 
 /// What is known of a vertex of the result; a set of bits.
 enum RingVertex : std::uint8_t {
-  trace_vertex = 1,     ///< added by noding between two pieces of one input edge: to be taken out if possible
-  touch_vertex = 2,     ///< more than two edges of the result meet here
-  restored_vertex = 4,  ///< was a trace vertex, but the straightened edge met something
+  trace_vertex = 1,  ///< added by noding between two pieces of one input edge: to be taken out if possible
+  touch_vertex = 2,  ///< more than two edges of the result meet here
 };
 
 struct Rings {
@@ -50,20 +49,14 @@ Rings without_if(const Rings& rings, const Drop& drop) {
   return result;
 }
 
-/// Those without the bit.
-inline Rings without(const Rings& rings, RingVertex bit) {
-  return without_if(rings, [&](std::size_t, std::uint32_t v) { return (rings.flags[v] & bit) != 0; });
-}
-
 /// By node: RingVertex bits of the vertex there. Cost: linear in the chains.
 Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);
 
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);
 
-/// Takes trace vertices out (promise G3a) wherever the straightened edge meets nothing of the result,
-/// and, under CollinearVertices::drop, exactly collinear ones. Cost: as one rounding round, and
-/// linear where there is nothing to take out.
+/// Takes out every trace vertex that may go (promise G3a, trace_spans.h), and, under CollinearVertices::drop, exactly
+/// collinear ones. Cost: O((n + k) log n), where k vertices lie near edges that had traces; linear if there are none.
 Rings remove_traces(Rings rings, CollinearVertices collinear);
 
 }  // namespace oblast

@@ -13,7 +13,7 @@ namespace {
 
 using verify::regions_of;
 
-/// Rings with the vertices numbered in `traces` flagged.
+/// Rings with the vertices numbered in `traces` flagged, and those that lie at one place as touching.
 Rings rings_of(const std::string& text, const std::vector<std::size_t>& traces, std::uint8_t flag = trace_vertex) {
   const RegionSet set = regions_of(text);
   Rings rings;
@@ -21,6 +21,8 @@ Rings rings_of(const std::string& text, const std::vector<std::size_t>& traces, 
   rings.ends.assign(set.contour_ends.begin(), set.contour_ends.end());
   rings.flags.assign(rings.points.size(), 0);
   for (const std::size_t v : traces) rings.flags[v] = flag;
+  for (std::size_t v = 0; v < rings.points.size(); ++v)
+    if (std::ranges::count(rings.points, rings.points[v]) > 1) rings.flags[v] |= touch_vertex;
   return rings;
 }
 

@@ -1,0 +1,180 @@
+#include "overlay/trace_spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+#include "exact/orientation.h"
+#include "noding/along.h"
+#include "noding/pair_finder.h"
+
+namespace oblast {
+namespace {
+
+using noding::Along;
+using noding::Box;
+using noding::Run;
+
+constexpr noding::Group span_group = 1, vertex_group = 2;
+
+/// What the vertices of a span keep within.
+struct Strip {
+  Box box;
+  double least, most;  ///< of the doubled areas of its vertices over the chord, with what rounding may add
+  double reach;        ///< at least the distance of any of its vertices from the chord
+};
+
+/// The doubled area of (a, b, p): positive where p is on the left of the chord.
+double area_over(const Point& a, const Point& b, const Point& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+Strip strip_of(const TraceSpans& spans, const TraceSpan& span) {
+  const Point &a = spans.point(span, 0), &b = spans.point(span, span.count + 1);
+  const Box chord = Box::of(a, b);
+  Strip strip{chord, 0, 0, 0};
+  for (std::uint32_t i = 1; i <= span.count; ++i) {
+    const Point& t = spans.point(span, i);
+    const double area = area_over(a, b, t);
+    strip.least = std::min(strip.least, area);
+    strip.most = std::max(strip.most, area);
+    strip.box = strip.box.joined(t);
+  }
+  // In the strip's box an area is off by at most four epsilons of this product. Nothing under- or overflows in the
+  // domain of coordinates.
+  const double width = strip.box.x1 - strip.box.x0, height = strip.box.y1 - strip.box.y0;
+  const double error = 16 * std::numeric_limits<double>::epsilon() * width * height;
+  strip.least -= error;
+  strip.most += error;
+  // The pieces are in the hull of the span's vertices, whose distance from the chord is largest in one of these: at
+  // most that from the line, and what they are beyond the box of the chord.
+  const double beyond =
+      (chord.x0 - strip.box.x0) + (strip.box.x1 - chord.x1) + (chord.y0 - strip.box.y0) + (strip.box.y1 - chord.y1);
+  const double length = std::max(chord.x1 - chord.x0, chord.y1 - chord.y0);
+  strip.reach = (std::max(-strip.least, strip.most) / length + beyond) * (1 + 0x1p-20);
+  return strip;
+}
+
+class NearVertexFinder {
+ public:
+  explicit NearVertexFinder(const TraceSpans& spans) : spans_(spans) {}
+
+  Array<NearVertex> run() {
+    LargeArray<Run> runs = chords();
+    if (runs.empty()) return {};
+    add_vertices(runs);
+    const noding::PairVisitor visit = [&](std::span<const noding::RunPair> pairs) { look_at(pairs); };
+    noding::find_pairs(ends_, std::move(runs), visit, noding::PairGoal::meetings, {reach_, {}});
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return std::move(found_);
+  }
+
+ private:
+  /// Every chord is an edge of the search, and so is every vertex, from itself to itself.
+  void add(const Point& p, const Point& q, noding::Group group, LargeArray<Run>& runs) {
+    const auto edge = static_cast<std::uint32_t>(ends_.size());
+    ends_.push_back(p);
+    ends_.push_back(q);
+    runs.push_back({Box::of(p, q), edge, edge + 1, group});
+  }
+
+  LargeArray<Run> chords() {
+    LargeArray<Run> runs;
+    for (std::uint32_t s = 0; s < spans_.spans.size(); ++s) {
+      const TraceSpan& span = spans_.spans[s];
+      if (!span.is_monotone) continue;
+      strips_.push_back(strip_of(spans_, span));
+      span_of_chord_.push_back(s);
+      reach_ = std::max(reach_, strips_.back().reach);
+      add(spans_.point(span, 0), spans_.point(span, span.count + 1), span_group, runs);
+    }
+    return runs;
+  }
+
+  void add_vertices(LargeArray<Run>& runs) {
+    const auto& points = spans_.rings.points;
+    ends_.reserve(ends_.size() + 2 * points.size());
+    runs.reserve(runs.size() + points.size());
+    for (const Point& p : points) add(p, p, vertex_group, runs);
+  }
+
+  void look_at(std::span<const noding::RunPair> pairs) {
+    Array<NearVertex> found;
+    const auto chords = static_cast<std::uint32_t>(strips_.size());
+    for (const noding::RunPair& pair : pairs) {
+      const std::uint32_t chord = std::min(pair.first_p, pair.first_q) / 2;
+      look_at(chord, std::max(pair.first_p, pair.first_q) / 2 - chords, found);
+    }
+    if (found.empty()) return;
+    const std::lock_guard lock(mutex_);
+    found_.insert(found_.end(), found.begin(), found.end());
+  }
+
+  void look_at(std::uint32_t chord, std::uint32_t vertex, Array<NearVertex>& found) const {
+    const Strip& strip = strips_[chord];
+    const Point& p = spans_.rings.points[vertex];
+    if (!strip.box.contains(p)) return;
+    const std::uint32_t number = span_of_chord_[chord];
+    const TraceSpan& span = spans_.spans[number];
+    const Point &a = spans_.point(span, 0), &b = spans_.point(span, span.count + 1);
+    const double area = area_over(a, b, p);
+    if (area < strip.least || area > strip.most || p == a || p == b) return;
+    const std::uint32_t piece = piece_beside(span, p);
+    // Only its own vertices can lie where it has vertices: they are nodes of two edges.
+    if (p == spans_.point(span, piece) || p == spans_.point(span, piece + 1)) return;
+    found.push_back({number, piece, vertex});
+  }
+
+  std::uint32_t piece_beside(const TraceSpan& span, const Point& p) const {
+    const Along along(spans_.point(span, 0), spans_.point(span, span.count + 1));
+    std::uint32_t low = 0, high = span.count + 1;  // the piece is one of [low, high)
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (along(p, spans_.point(span, middle)) ? high : low) = middle;
+    }
+    return low;
+  }
+
+  const TraceSpans& spans_;
+  LargeArray<Point> ends_;              ///< two an edge of the search
+  Array<Strip> strips_;                 ///< by chord
+  Array<std::uint32_t> span_of_chord_;  ///< a span's number
+  double reach_ = 0;
+  std::mutex mutex_;
+  Array<NearVertex> found_;
+};
+
+bool is_monotone(const TraceSpans& spans, const TraceSpan& span) {
+  const Along along(spans.point(span, 0), spans.point(span, span.count + 1));
+  for (std::uint32_t i = 0; i <= span.count; ++i)
+    if (!along(spans.point(span, i), spans.point(span, i + 1))) return false;
+  return true;
+}
+
+}  // namespace
+
+TraceSpans::TraceSpans(const Rings& all) : rings(all) {
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
+    const auto is_trace = [&](std::uint32_t v) { return (rings.flags[v] & trace_vertex) != 0; };
+    for (std::uint32_t v = begin; v < end; ++v) {
+      if (is_trace(v) || !is_trace(rings.after(r, v))) continue;
+      TraceSpan span{r, v, 1, true};
+      while (is_trace(vertex(span, span.count + 1))) ++span.count;  // ends at v itself, at the latest
+      span.is_monotone = is_monotone(*this, span);
+      spans.push_back(span);
+    }
+  }
+}
+
+Array<NearVertex> find_near_vertices(const TraceSpans& spans) { return NearVertexFinder(spans).run(); }
+
+// A line across the chain, through p, crosses the chord and one piece. p is between where it is on different sides.
+bool is_between(const Point& a, const Point& b, const Point& u, const Point& w, const Point& p) {
+  const int side = exact::orientation(a, b, p);
+  return side == 0 || exact::orientation(u, w, p) != side;
+}
+
+}  // namespace oblast
