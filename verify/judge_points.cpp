@@ -15,23 +15,18 @@
 #include "verify/judge_points.h"
 
 #include <algorithm>
-#include <cmath>
 #include <future>
 #include <numeric>
 
-#include "verify/membership.h"
 #include "verify/slabs.h"
+#include "verify/surroundings.h"
+#include "verify/walker.h"
 
 namespace oblast::verify {
 namespace {
 
 constexpr std::size_t few_points = 6;
 constexpr std::size_t few_edges = 24;
-
-struct Step {
-  std::uint32_t edge;
-  int side;
-};
 
 using Edges32 = std::vector<std::uint32_t>;
 
@@ -49,7 +44,7 @@ class Judge {
         probes_(probes),
         bound_(bound),
         margin_(bound + rounding_along(segments)),
-        walker_(question.rule_a, question.polygons_a, question.rule_b, question.polygons_b) {}
+        walker_(segments, Membership(question.rule_a, question.polygons_a, question.rule_b, question.polygons_b)) {}
 
   // Judges the probes whose indices are given, which it puts in another order.
   Found run(std::span<std::uint32_t> order) {
@@ -75,7 +70,7 @@ class Judge {
   void descend(const Point& corner, const Edges32& above, std::span<std::uint32_t> order) {
     const Box box = box_of(order);
     const Point here{box.x0, box.y0};
-    const std::size_t steps = walk(corner, here, above);
+    const std::size_t steps = walker_.walk(corner, here, above);
     Edges32 edges;
     std::copy_if(above.begin(), above.end(), std::back_inserter(edges),
                  [&](std::uint32_t e) { return may_reach(segments_[e], box, margin_); });
@@ -89,80 +84,25 @@ class Judge {
       descend(here, edges, std::span(order.begin(), middle));
       descend(here, edges, std::span(middle, order.end()));
     }
-    take_back(steps);
-  }
-
-  // From q to r by way of (r.x, q.y). Returns how many steps had been taken before.
-  std::size_t walk(const Point& q, const Point& r, const Edges32& edges) {
-    const std::size_t before = steps_.size();
-    const Point corner{r.x, q.y};
-    const auto [low_x, high_x] = std::minmax({q.x, r.x});
-    const auto [low_y, high_y] = std::minmax({q.y, r.y});
-    for (const std::uint32_t e : edges) {
-      const Segment& s = segments_[e];
-      if (spans_height_of(s, q) && std::max(s.from.x, s.to.x) >= low_x && std::min(s.from.x, s.to.x) <= high_x) {
-        cross(e, side_of(s, q), side_of(s, corner));
-      }
-      if (spans_width_of(s, r) && std::max(s.from.y, s.to.y) >= low_y && std::min(s.from.y, s.to.y) <= high_y) {
-        cross(e, side_of(s, corner), side_of(s, r));
-      }
-    }
-    return before;
-  }
-
-  void cross(std::uint32_t edge, int side_before, int side_after) {
-    if (side_before == side_after) return;
-    walker_.step_over(segments_[edge], side_after);
-    steps_.push_back({edge, side_after});
-  }
-
-  void take_back(std::size_t until) {
-    while (steps_.size() > until) {
-      walker_.step_over(segments_[steps_.back().edge], -steps_.back().side);
-      steps_.pop_back();
-    }
+    walker_.take_back(steps);
   }
 
   void judge(std::uint32_t probe, const Point& corner, const Edges32& edges) {
-    const std::size_t steps = walk(corner, at(probe), edges);
-    Surroundings around = look_around(probes_[probe], edges);
+    const std::size_t steps = walker_.walk(corner, at(probe), edges);
+    Surroundings around =
+        look_around(segments_, at(probe), edges, bound_, probes_[probe].kind == ProbeKind::result_vertex);
     judge_here(probe, around);
-    take_back(steps);
-  }
-
-  struct Surroundings {
-    std::vector<UncertainEdge> of_a, of_b;
-    bool near_an_edge = false;   // certain or not
-    bool on_the_result = false;  // on an edge of it
-    double distance = HUGE_VAL;  // to the nearest input edge, for vertices of the result only
-  };
-
-  Surroundings look_around(const Probe& probe, const Edges32& edges) const {
-    Surroundings around;
-    for (const std::uint32_t e : edges) {
-      const Segment& s = segments_[e];
-      if (s.owner == EdgeOf::result) {
-        around.on_the_result = around.on_the_result || lies_on(s, probe.at);
-      } else if (may_be_near(s, probe.at, bound_)) {
-        around.near_an_edge = true;
-        if (spans_height_of(s, probe.at)) {
-          (s.owner == EdgeOf::a ? around.of_a : around.of_b).push_back({&s, side_of(s, probe.at)});
-        }
-        if (probe.kind == ProbeKind::result_vertex) {
-          around.distance = std::min(around.distance, distance_in_box(s, probe.at));
-        }
-      }
-    }
-    return around;
+    walker_.take_back(steps);
   }
 
   void judge_here(std::uint32_t probe, Surroundings& around) {
-    const bool in_a = walker_.in_a(), in_b = walker_.in_b();
+    const Membership& here = walker_.here();
+    const bool in_a = here.in_a(), in_b = here.in_b();
     auto& count = found_.report.points[static_cast<int>(probes_[probe].kind)];
     const auto wrong = [&](const char* what) {
       if (probe < found_.wrong_probe) found_.wrong_probe = probe, found_.wrong = {what, at(probe), in_a, in_b};
     };
-    if (around.distance < HUGE_VAL) {
+    if (around.near_an_edge && probes_[probe].kind == ProbeKind::result_vertex) {
       found_.report.largest_displacement = std::max(found_.report.largest_displacement, around.distance);
     }
     if (around.on_the_result) {
@@ -170,9 +110,9 @@ class Judge {
       ++(probes_[probe].kind == ProbeKind::result_vertex ? count.within_bound : count.too_near);
       return;
     }
-    const int winding = walker_.result_winding();
+    const int winding = here.result_winding();
     if (winding != 0 && winding != 1) return wrong("the result goes round this place more than once, or the wrong way");
-    const MayBe may_be = may_be_selected(walker_.may_be_in_a(around.of_a), walker_.may_be_in_b(around.of_b));
+    const MayBe may_be = may_be_selected(here.may_be_in_a(around.of_a), here.may_be_in_b(around.of_b));
     if (may_be.yes && may_be.no) {
       ++count.too_near;
       return;
@@ -199,8 +139,7 @@ class Judge {
   const Question& question_;
   std::span<const Probe> probes_;
   double bound_, margin_;
-  Membership walker_;
-  std::vector<Step> steps_;
+  Walker walker_;
   Found found_;
 };
 

@@ -187,6 +187,57 @@ TEST(Oracle, FindsAnEdgeThatNoInputEdgeIsNear) {
   EXPECT_NE(asked.of(cut, few(0, 40)), "");
 }
 
+RegionSet star(int n, double turn, unsigned seed) {
+  std::mt19937 random(seed);
+  RegionSet result;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    const double radius = 1000 * (1 + 0.2 * std::sin(5 * (angle + turn)) + 1e-5 * static_cast<double>(random() % 100));
+    result.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  result.contour_ends = {static_cast<std::uint32_t>(n)};
+  result.polygon_ends = {1};
+  return result;
+}
+
+// Crossings that are no doubles lie beside their edges: a bound that allows for less than rounding finds that.
+TEST(Oracle, SeesRoundingWhereTheBoundDoesNotAllowIt) {
+  const Asked asked{regions_of("0 0.3, 10.1 0, 9.7 10, -0.3 9.9"), regions_of("5 -1, 11.1 5.3, 4.7 11.9, 3.3 4.9"),
+                    Operation::unite};
+  OracleOptions options = few();
+  options.bound_ulps = 1e-3;
+  EXPECT_NE(asked.of(asked.right(), options), "");
+  OracleReport report;
+  EXPECT_FALSE(look_for_wrong_place(asked.a, asked.b, asked.operation, asked.right(), few(), &report));
+  EXPECT_GT(report.largest_displacement_ulps, 1e-3);
+  EXPECT_LT(report.largest_displacement_ulps, 1);
+}
+
+TEST(Crossings, AreFoundInASeaOfEdges) {
+  // Two stars of 20,000 edges each that cross some ten times, and a net of 60 bars that cross 3,600 times.
+  const RegionSet a = star(20'000, 0, 1), b = star(20'000, 0.3, 2);
+  std::mt19937_64 random(1);
+  EXPECT_GE(some_crossings(Segments(a, b, {}), 1'000, random).size(), 8u);
+  RegionSet net;
+  for (int i = 0; i < 30; ++i) {
+    for (const bool upright : {false, true}) {
+      for (const Point& p : {Point{0, 0}, Point{100, 0}, Point{100, 1}, Point{0, 1}}) {
+        const double x = p.x, y = 3 * i + p.y;
+        net.points.push_back(upright ? Point{y, x} : Point{x, y});
+      }
+      net.contour_ends.push_back(static_cast<std::uint32_t>(net.points.size()));
+    }
+  }
+  const std::vector<Point> found = some_crossings(Segments(net, {}, {}), 50, random);
+  EXPECT_EQ(found.size(), 50u);
+  for (const Point& p : found) {
+    for (const double coordinate : {p.x, p.y}) {
+      EXPECT_NEAR(coordinate, std::round(coordinate), 1e-9);
+      EXPECT_NE(std::fmod(std::round(coordinate), 3), 2);  // bars lie at 0 to 1, 3 to 4, 6 to 7, ...
+    }
+  }
+}
+
 TEST(Oracle, HostileResultsAreRight) {
   std::uint64_t judged = 0;
   for (const auto& generator : generators::hostile_generators()) {
@@ -276,19 +327,6 @@ TEST(Oracle, AgreesWithCheckAgainstOnMutatedResults) {
   EXPECT_GT(wrong_places, 40);
   EXPECT_GE(found * 20, wrong_places * 19) << found << " of " << wrong_places;
   EXPECT_EQ(by_oracle_alone, 0);
-}
-
-RegionSet star(int n, double turn, unsigned seed) {
-  std::mt19937 random(seed);
-  RegionSet result;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    const double radius = 1000 * (1 + 0.2 * std::sin(5 * (angle + turn)) + 1e-5 * static_cast<double>(random() % 100));
-    result.points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  result.contour_ends = {static_cast<std::uint32_t>(n)};
-  result.polygon_ends = {1};
-  return result;
 }
 
 TEST(Oracle, LargeResults) {
