@@ -1,7 +1,6 @@
 // Which vertices of the result noding left behind, and where the result touches itself.
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <utility>
 
 #include "base/parallel.h"
@@ -26,36 +25,17 @@ class TraceFinder {
   TraceFinder(const ChainGraph& graph, const Selection& selection)
       : graph_(graph), selection_(selection), flags_(graph.node_count(), 0) {}
 
-  Array<std::uint8_t> run() {
+  NodeKinds run() {
     flag_touches();
     find_sources();
-    if (!sources_.empty()) {
-      find_neighbours();
-      part_unrelated_neighbours();
-      check_runs();
-    }
-    return std::move(flags_);
+    return {std::move(flags_), std::move(sources_)};
   }
 
  private:
   static constexpr std::size_t elements_a_task = tuning::classified_elements_a_task;
 
-  struct Source {
-    std::uint32_t node;
-    std::uint32_t edge;  ///< input edge whose pieces meet at the node
-
-    friend bool operator==(const Source&, const Source&) = default;
-    friend bool operator<(const Source& p, const Source& q) {
-      return p.node != q.node ? p.node < q.node : p.edge < q.edge;
-    }
-  };
-  struct Neighbours {
-    std::uint32_t node[2] = {none, none};  ///< trace nodes one result edge away
-  };
-
   bool added(std::uint32_t vertex) const { return (graph_.strands.flags[vertex] & noding::added_flag) != 0; }
   bool is_selected(const Chain& chain) const { return selection_[chain.merged_into] != none; }
-  bool is_trace(std::uint32_t node) const { return (flags_[node] & trace_vertex) != 0; }
 
   /// Chains are looked at in order, and their vertices are all over the strands.
   void fetch_flags_ahead(std::size_t chain) const {
@@ -95,7 +75,7 @@ class TraceFinder {
         if (all(live, degree_[chain.to] == 2, !added(chain.last))) note(chain.to);
       }
     });
-    Array<Array<Source>> found(range_count(graph_.first_loop, elements_a_task));
+    Array<Array<TraceEdge>> found(range_count(graph_.first_loop, elements_a_task));
     for_numbered_ranges(graph_.first_loop, elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
       // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
       for (std::size_t c = begin; c < end; ++c) {
@@ -109,80 +89,22 @@ class TraceFinder {
         found[i].push_back({after.from, graph_.strands.origin[after.first]});
       }
     });
-    for (const Array<Source>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
-    for (const Source& source : sources_) flags_[source.node] |= trace_vertex;
+    for (const Array<TraceEdge>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
+    for (const TraceEdge& source : sources_) flags_[source.at] |= trace_vertex;
     std::sort(sources_.begin(), sources_.end());
     sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
-  }
-
-  Array<std::uint32_t> edges_at(std::uint32_t node) const {
-    Array<std::uint32_t> edges;
-    for (auto it = std::lower_bound(sources_.begin(), sources_.end(), Source{node, 0});
-         it != sources_.end() && it->node == node; ++it)
-      edges.push_back(it->edge);
-    return edges;
-  }
-
-  static Array<std::uint32_t> common(const Array<std::uint32_t>& p, const Array<std::uint32_t>& q) {
-    Array<std::uint32_t> both;
-    std::set_intersection(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(both));
-    return both;
-  }
-
-  void find_neighbours() {
-    neighbours_.assign(graph_.node_count(), {});
-    for (std::uint32_t c = 0; c < selection_.size(); ++c) {
-      const Chain& chain = graph_.chains[c];
-      if (selection_[c] == none || chain.is_loop() || chain.last - chain.first > 1) continue;
-      if (!is_trace(chain.from) || !is_trace(chain.to)) continue;
-      for (const auto& [node, other] : {std::pair{chain.from, chain.to}, std::pair{chain.to, chain.from}})
-        neighbours_[node].node[neighbours_[node].node[0] == none ? 0 : 1] = other;
-    }
-  }
-
-  /// Two neighbours that are traces of different edges hold a corner between them: both stay.
-  void part_unrelated_neighbours() {
-    Array<std::uint32_t> stay;
-    for (std::uint32_t node = 0; node < flags_.size(); ++node) {
-      for (const std::uint32_t other : neighbours_[node].node)
-        if (other != none && common(edges_at(node), edges_at(other)).empty()) stay.push_back(node);
-    }
-    for (const std::uint32_t node : stay) flags_[node] &= static_cast<std::uint8_t>(~trace_vertex);
-  }
-
-  /// A run of neighbours is straightened into one edge only if all are traces of one input edge.
-  void check_runs() {
-    Array<bool> visited(flags_.size(), false);
-    Array<std::uint32_t> run;
-    for (std::uint32_t node = 0; node < flags_.size(); ++node) {
-      if (!is_trace(node) || visited[node]) continue;
-      run.assign(1, node);
-      visited[node] = true;
-      Array<std::uint32_t> edges = edges_at(node);
-      for (std::size_t i = 0; i < run.size(); ++i) {
-        for (const std::uint32_t other : neighbours_[run[i]].node) {
-          if (other == none || !is_trace(other) || visited[other]) continue;
-          visited[other] = true;
-          run.push_back(other);
-          edges = common(edges, edges_at(other));
-        }
-      }
-      if (!edges.empty()) continue;
-      for (const std::uint32_t other : run) flags_[other] &= static_cast<std::uint8_t>(~trace_vertex);
-    }
   }
 
   const ChainGraph& graph_;
   const Selection& selection_;
   Array<std::uint8_t> flags_;
   Array<std::uint32_t> degree_;
-  Array<Source> sources_;
-  Array<Neighbours> neighbours_;
+  Array<TraceEdge> sources_;
 };
 
 }  // namespace
 
-Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection) {
+NodeKinds classify_nodes(const ChainGraph& graph, const Selection& selection) {
   return TraceFinder(graph, selection).run();
 }
 

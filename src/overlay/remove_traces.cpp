@@ -77,7 +77,7 @@ Rings without_traces(Rings rings) {
   if (spans.spans.empty()) return rings;
   const Array<NearVertex> near = find_near_vertices(spans);
   Array<bool> refused(spans.spans.size(), false);
-  for (std::size_t s = 0; s < refused.size(); ++s) refused[s] = !spans.spans[s].is_monotone;
+  for (std::size_t s = 0; s < refused.size(); ++s) refused[s] = !spans.spans[s].is_whole || !spans.spans[s].is_monotone;
   refuse_where_vertices_lie_between(spans, near, refused);
   refuse_where_ends_are_shared(spans, refused);
 

@@ -12,8 +12,6 @@
 namespace oblast {
 namespace {
 
-constexpr std::uint32_t no_span = 0xffffffff;
-
 class Retry {
  public:
   Retry(const TraceSpans& spans, const Array<bool>& refused, const Array<NearVertex>& near, Array<bool>& gone)
@@ -23,20 +21,17 @@ class Retry {
         before_(rings_.points.size()),
         after_(rings_.points.size()),
         waits_(rings_.points.size(), false),
-        span_of_(rings_.points.size(), no_span),
+        counts_(spans.members.size()),
         queue_(Later{rings_.points}) {
     link();
     find_touches();
-    for (std::uint32_t s = 0; s < refused.size(); ++s) {
-      const TraceSpan& span = spans.spans[s];
-      if (!refused[s] || !span.is_monotone) continue;
-      for (std::uint32_t i = 1; i <= span.count; ++i) span_of_[spans.vertex(span, i)] = s;
-    }
+    for (std::size_t m = 0; m < counts_.size(); ++m)
+      counts_[m] = refused[spans.members[m].span] && spans.spans[spans.members[m].span].is_monotone;
     sort_near(refused, near);
   }
 
   void run() {
-    for (std::uint32_t v = 0; v < rings_.points.size(); ++v) push(v);
+    for (const SpanMember& member : spans_.members) push(member.vertex);
     while (!queue_.empty()) {
       const Candidate candidate = queue_.top();
       queue_.pop();
@@ -101,13 +96,24 @@ class Retry {
     });
     by_vertex_.reserve(near_.size());
     for (std::uint32_t i = 0; i < near_.size(); ++i)
-      if (span_of_[near_[i].vertex] != no_span) by_vertex_.push_back(i);
+      if (is_candidate(near_[i].vertex)) by_vertex_.push_back(i);
     std::sort(by_vertex_.begin(), by_vertex_.end(), [&](std::uint32_t i, std::uint32_t j) {
       return near_[i].vertex != near_[j].vertex ? near_[i].vertex < near_[j].vertex : i < j;
     });
   }
 
-  bool is_candidate(std::uint32_t v) const { return span_of_[v] != no_span && !gone_[v]; }
+  /// The first of a vertex's members that count, as an index; that of another vertex, or past the end, if none does.
+  std::size_t member_of(std::uint32_t v) const {
+    const auto& members = spans_.members;
+    const auto it = std::lower_bound(members.begin(), members.end(), v,
+                                     [](const SpanMember& m, std::uint32_t vertex) { return m.vertex < vertex; });
+    auto m = static_cast<std::size_t>(it - members.begin());
+    while (is_of(m, v) && !counts_[m]) ++m;
+    return m;
+  }
+  bool is_of(std::size_t m, std::uint32_t v) const { return m < counts_.size() && spans_.members[m].vertex == v; }
+
+  bool is_candidate(std::uint32_t v) const { return !gone_[v] && is_of(member_of(v), v); }
 
   Candidate candidate_of(std::uint32_t v) const {
     const Point &a = rings_.points[before_[v]], &c = rings_.points[after_[v]];
@@ -126,7 +132,7 @@ class Retry {
     const Point &a = rings_.points[first], &b = rings_.points[v], &c = rings_.points[last];
     const noding::Along along(a, c);
     const auto is_in_span = [](const NearVertex& n, std::uint32_t span) { return n.span < span; };
-    const std::uint32_t span = span_of_[v];
+    const std::uint32_t span = spans_.members[member_of(v)].span;
     const auto begin = std::lower_bound(near_.begin(), near_.end(), span, is_in_span);
     const auto end = std::lower_bound(begin, near_.end(), span + 1, is_in_span);
     auto it = std::partition_point(begin, end, [&](const NearVertex& n) { return !along(a, rings_.points[n.vertex]); });
@@ -160,6 +166,7 @@ class Retry {
     after_[before] = after;
     before_[after] = before;
     for (const std::uint32_t neighbour : {before, after}) {
+      keep_common_edges(neighbour, v);
       waits_[neighbour] = false;
       push(neighbour);
     }
@@ -171,6 +178,16 @@ class Retry {
       const std::uint32_t u = staying_before(spans_.vertex(span, near_[*it].piece));
       push(u);
       push(after_[u]);
+    }
+  }
+
+  /// The edge that takes the place of those at `gone` is a piece of what both were pieces of.
+  void keep_common_edges(std::uint32_t v, std::uint32_t gone) {
+    for (std::size_t m = member_of(v); is_of(m, v); ++m) {
+      bool common = false;
+      for (std::size_t g = member_of(gone); is_of(g, gone); ++g)
+        common |= counts_[g] && spans_.members[g].edge == spans_.members[m].edge;
+      counts_[m] = counts_[m] && common;
     }
   }
 
@@ -187,7 +204,7 @@ class Retry {
   Array<bool>& gone_;
   Array<std::uint32_t> before_, after_;  ///< by vertex; of one that is gone: a vertex before it
   Array<bool> waits_;                    ///< by vertex: its newest candidate is in the queue
-  Array<std::uint32_t> span_of_;         ///< by vertex; no_span where it stays in any case
+  Array<bool> counts_;                   ///< by member: both edges at the vertex are pieces of the input edge, still
   Array<std::uint32_t> touches_;
   Array<NearVertex> near_;          ///< span by span, along it
   Array<std::uint32_t> by_vertex_;  ///< indices of those in near_ that may go, vertex by vertex

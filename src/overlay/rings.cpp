@@ -30,7 +30,7 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
 }  // namespace
 
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
-  const Array<std::uint8_t> node_flags = classify_nodes(graph, selection);
+  const NodeKinds kinds = classify_nodes(graph, selection);
   const Array<Descriptor>& descriptors = linked.descriptors;
   LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());
@@ -51,9 +51,16 @@ Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, con
       if (i + fetched_ahead < end) fetch(&graph.chains[chain_of(descriptors[i + fetched_ahead])]);
       if (i + fetched_ahead / 2 < end)
         fetch(&graph.point(graph.chains[chain_of(descriptors[i + fetched_ahead / 2])].first));
-      write_chain(graph, node_flags, descriptors[i], i == 0 ? 0 : ends[i - 1], rings);
+      write_chain(graph, kinds.flags, descriptors[i], i == 0 ? 0 : ends[i - 1], rings);
     }
   });
+  // Vertices come in the order of the descriptors, and a trace vertex is where one begins.
+  std::size_t at = 0;
+  const auto node_of = [&](std::uint32_t v) {
+    while ((at == 0 ? 0 : ends[at - 1]) < v) ++at;
+    return graph.start_node(descriptors[at]);
+  };
+  add_trace_edges(kinds, node_of, rings);
   return rings;
 }
 

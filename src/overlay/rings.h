@@ -16,10 +16,27 @@ enum RingVertex : std::uint8_t {
   touch_vertex = 2,  ///< more than two edges of the result meet here
 };
 
+/// A trace vertex, or the node it comes from, and an input edge of which both edges of the result there are pieces.
+struct TraceEdge {
+  std::uint32_t at;
+  std::uint32_t edge;
+
+  friend auto operator<=>(const TraceEdge&, const TraceEdge&) = default;
+};
+
+/// Those of one vertex or node. REQUIRES: sorted.
+inline std::span<const TraceEdge> trace_edges_at(std::span<const TraceEdge> all, std::uint32_t at) {
+  const auto begin = std::lower_bound(all.begin(), all.end(), TraceEdge{at, 0});
+  auto end = begin;
+  while (end != all.end() && end->at == at) ++end;
+  return {begin, end};
+}
+
 struct Rings {
   LargeArray<Point> points;
-  Array<std::uint8_t> flags;  ///< by vertex, RingVertex
-  Array<std::uint32_t> ends;  ///< by ring: past its last vertex; the first is not repeated
+  Array<std::uint8_t> flags;     ///< by vertex, RingVertex
+  Array<std::uint32_t> ends;     ///< by ring: past its last vertex; the first is not repeated
+  Array<TraceEdge> trace_edges;  ///< of all trace vertices, sorted; each has at least one
 
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
@@ -34,7 +51,7 @@ struct Rings {
   }
 };
 
-/// The rings without the vertices for which drop(ring, vertex) says so. Cost: linear.
+/// The rings without the vertices for which drop(ring, vertex) says so, and without their trace edges. Cost: linear.
 template <class Drop>
 Rings without_if(const Rings& rings, const Drop& drop) {
   Rings result;
@@ -49,8 +66,25 @@ Rings without_if(const Rings& rings, const Drop& drop) {
   return result;
 }
 
-/// By node: RingVertex bits of the vertex there. Cost: linear in the chains.
-Array<std::uint8_t> classify_nodes(const ChainGraph& graph, const Selection& selection);
+/// What is known of the nodes of a graph.
+struct NodeKinds {
+  Array<std::uint8_t> flags;     ///< by node: RingVertex bits of the vertex there
+  Array<TraceEdge> trace_edges;  ///< of all trace nodes, sorted
+};
+
+/// Cost: linear in the chains, and O(t log t) for t trace vertices.
+NodeKinds classify_nodes(const ChainGraph& graph, const Selection& selection);
+
+/// Gives the rings their trace edges: node_of(vertex) is the node of a trace vertex.
+template <class NodeOf>
+void add_trace_edges(const NodeKinds& kinds, const NodeOf& node_of, Rings& rings) {
+  if (kinds.trace_edges.empty()) return;
+  for (std::uint32_t v = 0; v < rings.flags.size(); ++v) {
+    if (!(rings.flags[v] & trace_vertex)) continue;
+    for (const TraceEdge& edge : trace_edges_at(kinds.trace_edges, node_of(v)))
+      rings.trace_edges.push_back({v, edge.edge});
+  }
+}
 
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);

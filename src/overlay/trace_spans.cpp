@@ -8,6 +8,7 @@
 #include "exact/orientation.h"
 #include "noding/along.h"
 #include "noding/pair_finder.h"
+#include "overlay/smallest_vertex.h"
 
 namespace oblast {
 namespace {
@@ -156,16 +157,54 @@ bool is_monotone(const TraceSpans& spans, const TraceSpan& span) {
 }  // namespace
 
 TraceSpans::TraceSpans(const Rings& all) : rings(all) {
+  if (rings.trace_edges.empty()) return;
+  const auto is_trace = [&](std::uint32_t v) { return (rings.flags[v] & trace_vertex) != 0; };
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
-    const auto is_trace = [&](std::uint32_t v) { return (rings.flags[v] & trace_vertex) != 0; };
-    for (std::uint32_t v = begin; v < end; ++v) {
-      if (is_trace(v) || !is_trace(rings.after(r, v))) continue;
-      TraceSpan span{r, v, 1, true};
-      while (is_trace(vertex(span, span.count + 1))) ++span.count;  // ends at v itself, at the latest
-      span.is_monotone = is_monotone(*this, span);
-      spans.push_back(span);
+    std::uint32_t start = begin;
+    while (start < end && is_trace(start)) ++start;
+    // Of a ring of nothing else (a few units in the last place wide) the smallest vertex stays.
+    if (start == end) start = begin + smallest_vertex(std::span(rings.points).subspan(begin, end - begin)).vertex;
+    for (std::uint32_t v = start;;) {
+      std::uint32_t count = 0, w = rings.after(r, v);
+      for (; w != start && is_trace(w); w = rings.after(r, w)) ++count;
+      if (count > 0) add_run(r, v, count);
+      if (w == start) break;
+      v = w;
     }
+  }
+  for (TraceSpan& span : spans) span.is_monotone = is_monotone(*this, span);
+  std::sort(members.begin(), members.end(), [](const SpanMember& p, const SpanMember& q) {
+    return p.vertex != q.vertex ? p.vertex < q.vertex : p.edge < q.edge;
+  });
+}
+
+/// The spans of `count` trace vertices that follow the vertex `first`.
+void TraceSpans::add_run(std::uint32_t ring, std::uint32_t first, std::uint32_t count) {
+  const TraceSpan run{ring, first, count, true, true};
+  Array<TraceEdge> open;  // edges of the vertex looked at last; `at` is the span of each
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    const std::uint32_t v = vertex(run, i), before = vertex(run, i - 1);
+    Array<TraceEdge> still_open;
+    for (const TraceEdge& edge : trace_edges_at(rings.trace_edges, v)) {
+      const auto it = std::find_if(open.begin(), open.end(), [&](const TraceEdge& o) { return o.edge == edge.edge; });
+      if (it == open.end()) {
+        still_open.push_back({static_cast<std::uint32_t>(spans.size()), edge.edge});
+        spans.push_back({ring, before, 0, false, false});
+      } else {
+        still_open.push_back(*it);
+      }
+      ++spans[still_open.back().at].count;
+      members.push_back({v, edge.edge, still_open.back().at});
+    }
+    open = std::move(still_open);
+  }
+  // `open` has the spans that reach the end of the run.
+  bool has_whole = false;
+  for (const TraceEdge& o : open) {
+    TraceSpan& span = spans[o.at];
+    span.is_whole = !has_whole && span.count == count;
+    has_whole |= span.is_whole;
   }
 }
 

@@ -1,6 +1,7 @@
 // Spans of trace vertices, and what lies near them.
 //
-//   a --- t1 --- t2 --- b        a span: trace vertices t, pieces of one input edge, between two vertices that stay
+//   a --- t1 --- t2 --- b        a span: trace vertices t that follow one another, and the vertices on either side; the
+//                                edges between them are pieces of one input edge
 //   a ----------------- b        its chord, the edge that would take the place of the pieces
 //
 // The chord may replace the pieces if and only if
@@ -24,7 +25,14 @@ struct TraceSpan {
   std::uint32_t ring;
   std::uint32_t first;  ///< a, index in the rings' points
   std::uint32_t count;  ///< of its trace vertices, at least 1
+  bool is_whole;        ///< neither a nor b is a trace vertex; of equal spans this is true of one
   bool is_monotone;     ///< its vertices follow one another along the chord
+};
+
+/// A trace vertex, an input edge of which the edges there are pieces, and the span of that edge. Where trace vertices of
+/// different input edges follow one another, spans overlap, and a vertex may be in several.
+struct SpanMember {
+  std::uint32_t vertex, edge, span;
 };
 
 /// A vertex that lies in the strip around a span's vertices, and in their box.
@@ -40,7 +48,8 @@ struct TraceSpans {
   explicit TraceSpans(const Rings& rings);
 
   const Rings& rings;
-  Array<TraceSpan> spans;  ///< in the order of the rings
+  Array<TraceSpan> spans;
+  Array<SpanMember> members;  ///< by vertex, and by edge
 
   /// Vertex number i of a span: 0 is a, count + 1 is b.
   std::uint32_t vertex(const TraceSpan& span, std::uint32_t i) const {
@@ -48,6 +57,9 @@ struct TraceSpans {
     return v < end ? v : v - (end - rings.begin(span.ring));
   }
   const Point& point(const TraceSpan& span, std::uint32_t i) const { return rings.points[vertex(span, i)]; }
+
+ private:
+  void add_run(std::uint32_t ring, std::uint32_t first, std::uint32_t count);
 };
 
 /// All of every span that is monotone, sorted. Where none is in a span's list, the span may go by rule 1; where some

@@ -20,7 +20,11 @@ Rings rings_of(const std::string& text, const std::vector<std::size_t>& traces, 
   rings.points.assign(set.points.begin(), set.points.end());
   rings.ends.assign(set.contour_ends.begin(), set.contour_ends.end());
   rings.flags.assign(rings.points.size(), 0);
-  for (const std::size_t v : traces) rings.flags[v] = flag;
+  for (const std::size_t v : traces) {
+    rings.flags[v] = flag;
+    if (flag == trace_vertex) rings.trace_edges.push_back({static_cast<std::uint32_t>(v), 0});
+  }
+  std::ranges::sort(rings.trace_edges);
   for (std::size_t v = 0; v < rings.points.size(); ++v)
     if (std::ranges::count(rings.points, rings.points[v]) > 1) rings.flags[v] |= touch_vertex;
   return rings;
@@ -123,6 +127,7 @@ TEST(RemoveTraces, takesManyOutOfOneEdgeAlthoughOneMustStay) {
   for (std::uint32_t i = 0; i <= n; ++i) {
     rings.points.push_back(trace(i));
     rings.flags.push_back(i == 0 || i == n ? 0 : trace_vertex);
+    if (rings.flags.back()) rings.trace_edges.push_back({i, 0});
   }
   expected.points.insert(expected.points.end(), {trace(0), trace(middle), trace(n)});
   const auto add = [&](const std::vector<Point>& points) {

@@ -27,15 +27,17 @@ Selection selection_of(const ChainGraph& graph, const MarkedMesh& marked, const 
   return selection;
 }
 
-Rings rings_of(const MarkedMesh& marked, const Contours& contours, std::span<const std::uint8_t> node_flags) {
+Rings rings_of(const MarkedMesh& marked, const Contours& contours, const NodeKinds& kinds) {
   Rings rings;
   rings.ends = contours.ends;
   rings.points.reserve(contours.vertices.size());
   rings.flags.reserve(contours.vertices.size());
   for (const std::uint32_t v : contours.vertices) {
     rings.points.push_back(marked.mesh.points[v]);
-    rings.flags.push_back(marked.node[v] == none ? std::uint8_t{0} : node_flags[marked.node[v]]);
+    rings.flags.push_back(marked.node[v] == none ? std::uint8_t{0} : kinds.flags[marked.node[v]]);
   }
+  add_trace_edges(
+      kinds, [&](std::uint32_t i) { return marked.node[contours.vertices[i]]; }, rings);
   return rings;
 }
 
