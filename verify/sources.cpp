@@ -99,20 +99,29 @@ double Sources::displacement_ulps(const Point& p) const {
   return std::sqrt(static_cast<double>(least / (Rational(unit_) * Rational(unit_))));
 }
 
+namespace {
+
+bool cross(const InputEdge& e, const InputEdge& f) {
+  return side_of_line(e.from, e.to, f.from) * side_of_line(e.from, e.to, f.to) < 0 &&
+         side_of_line(f.from, f.to, e.from) * side_of_line(f.from, f.to, e.to) < 0;
+}
+
+}  // namespace
+
 bool Sources::may_have_cancelled(const Point& p) const {
-  // Whether f runs along the beginning of e, which starts or ends at p, within the bound.
-  const auto covers = [&](const InputEdge& f, const InputEdge& e) {
-    if (!near(RationalPoint(p), f)) return false;
-    if (near(RationalPoint(e.from == p ? e.to : e.from), f)) return true;
-    const auto reaches_along = [&](const Point& q) {
-      return std::hypot(q.x - p.x, q.y - p.y) > 2 * bound_ && near(RationalPoint(q), e);
-    };
-    return reaches_along(f.from) || reaches_along(f.to);
-  };
+  const RationalPoint at(p);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (edges_[i].from != p && edges_[i].to != p) continue;
+    const InputEdge& e = edges_[i];
+    if (e.from != p && e.to != p) continue;
+    // The end of the stretch of e that is to run along another edge. An edge no longer than it has rounding errors for
+    // its length: all of it may have come to lie on its neighbours.
+    const RationalPoint other(e.from == p ? e.to : e.from);
+    const double length = std::max(std::abs(e.to.x - e.from.x), std::abs(e.to.y - e.from.y));
+    const Rational part = length > 3 * bound_ ? Rational(3 * bound_ / length) : Rational(1);
+    const RationalPoint end{at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
     bool covered = false;
-    for (std::size_t j = 0; j < edges_.size() && !covered; ++j) covered = j != i && covers(edges_[j], edges_[i]);
+    for (std::size_t j = 0; j < edges_.size() && !covered; ++j)
+      covered = j != i && (near(end, edges_[j]) || (near(at, edges_[j]) && cross(e, edges_[j])));
     if (!covered) return false;
   }
   return true;

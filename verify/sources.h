@@ -46,8 +46,9 @@ class Sources {
   /// Distance from p to the nearest edge, in units of the last place of the largest coordinate; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
-  /// True when every edge at vertex p runs, at its start and within the bound, along another input edge, so that they
-  /// may have cancelled.
+  /// True when every edge at vertex p may have cancelled: a stretch of three times the bound from p on, or the whole
+  /// edge if it is shorter, ends within the bound of another input edge, so rounding may have put both onto one line;
+  /// or the edge crosses another one within the bound of p, so the tip beyond it may have become flat.
   bool may_have_cancelled(const Point& p) const;
 
   /// True when vertex p may lie on an edge only since traces were taken out of it, which moved it: p is not exactly on
