@@ -29,6 +29,9 @@ class Scale {
   /// REQUIRES: coordinates in the domain.
   explicit Scale(std::span<const Point> points);
 
+  /// The unit is 2 to this power.
+  int exponent() const { return exponent_; }
+
   ScaledPoint operator()(const Point& p) const { return {scaled(p.x), scaled(p.y)}; }
 
  private:

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "verify/predicates.h"
 
@@ -39,40 +42,109 @@ bool Sources::is_vertex(const Point& p) const {
   return std::binary_search(vertices_.begin(), vertices_.end(), p, lexicographically_less);
 }
 
-bool Sources::is_rounded_intersection(const Point& p) const {
-  // Both edges pass p within a unit in the last place, so only pairs of near edges are tried.
-  std::vector<std::size_t> close;
-  const RationalPoint at(p);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    if (near(at, edges_[e])) close.push_back(e);
+namespace {
+
+// Whether p is the rounded meeting of two edges, if that is plain: no, when the lines meet more than a unit away; yes,
+// when the edges cross and the crossing lies well within what is rounded to p.
+std::optional<bool> plainly_rounded(const Point& p, const InputEdge& e, const InputEdge& f) {
+  const EstimatedPoint crossing = estimated_crossing(e.from, e.to, f.from, f.to);
+  bool within = true;
+  for (const auto& [estimate, c] : {std::pair(crossing.x, p.x), std::pair(crossing.y, p.y)}) {
+    const double up = std::nextafter(c, HUGE_VAL) - c, down = c - std::nextafter(c, -HUGE_VAL);
+    const Estimate away = estimate - Estimate(c);
+    if (std::abs(away.value) - away.error > std::max(up, down) + domain_smallest) return false;
+    const bool clear_of_zero = std::abs(c) >= 2 * domain_smallest;
+    within = within && clear_of_zero && std::abs(away.value) + away.error < 0.499L * std::min(up, down);
   }
-  for (std::size_t i = 0; i < close.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const InputEdge &e = edges_[close[i]], &f = edges_[close[j]];
-      const auto meeting = intersection_of_segments(e.from, e.to, f.from, f.to);
-      if (meeting && round_into_domain(meeting->x) == p.x && round_into_domain(meeting->y) == p.y) return true;
-    }
-  }
-  return false;
+  if (!within || !meet_badly(e.from, e.to, f.from, f.to)) return std::nullopt;
+  return true;
 }
 
-bool Sources::near(const RationalPoint& p, const InputEdge& edge) const {
-  // Far away in one coordinate? Doubles decide, with room to spare.
-  const double x = static_cast<double>(p.x), y = static_cast<double>(p.y), margin = 2 * bound_;
-  if (x < std::min(edge.from.x, edge.to.x) - margin || x > std::max(edge.from.x, edge.to.x) + margin) return false;
-  if (y < std::min(edge.from.y, edge.to.y) - margin || y > std::max(edge.from.y, edge.to.y) + margin) return false;
+}  // namespace
+
+bool Sources::is_rounded_intersection(const Point& p) const {
+  // Both edges pass p within a unit in the last place, so only pairs of near edges are tried; the plain ones first.
+  const std::vector<std::size_t> close = near_both(p, p);
+  std::vector<std::pair<std::size_t, std::size_t>> unknown;
+  for (std::size_t i = 0; i < close.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto plain = plainly_rounded(p, edges_[close[i]], edges_[close[j]]);
+      if (plain == true) return true;
+      if (!plain) unknown.push_back({close[i], close[j]});
+    }
+  }
+  return std::any_of(unknown.begin(), unknown.end(), [&](const auto& pair) {
+    const InputEdge &e = edges_[pair.first], &f = edges_[pair.second];
+    const auto meeting = intersection_of_segments(e.from, e.to, f.from, f.to);
+    return meeting && round_into_domain(meeting->x) == p.x && round_into_domain(meeting->y) == p.y;
+  });
+}
+
+namespace {
+
+// Whether a coordinate lies further than the bound from both of an edge, on one side; with room to spare for rounding.
+bool certainly_apart(const Estimate& c, double from, double to, double bound) {
+  return c.most() < std::min(from, to) - 2 * bound || c.least() > std::max(from, to) + 2 * bound;
+}
+
+}  // namespace
+
+Sources::Answer Sources::estimate_near(const EstimatedPoint& p, const InputEdge& edge) const {
+  if (certainly_apart(p.x, edge.from.x, edge.to.x, bound_) || certainly_apart(p.y, edge.from.y, edge.to.y, bound_))
+    return Answer::no;
+  const Estimate dx = Estimate(edge.to.x) - Estimate(edge.from.x), dy = Estimate(edge.to.y) - Estimate(edge.from.y);
+  const Estimate px = p.x - Estimate(edge.from.x), py = p.y - Estimate(edge.from.y);
+  const Estimate qx = p.x - Estimate(edge.to.x), qy = p.y - Estimate(edge.to.y);
+  const Estimate bound = Estimate(bound_) * Estimate(bound_);
+  const Estimate to_from = px * px + py * py, to_to = qx * qx + qy * qy;
+  // An end lies near, so the edge does.
+  if (certainly_less(to_from, bound) || certainly_less(to_to, bound)) return Answer::yes;
+  const Estimate area = dx * py - dy * px, length = dx * dx + dy * dy;
+  const Estimate to_line = area * area, most = bound * length;
+  if (certainly_less(most, to_line)) return Answer::no;
+  const Estimate along = px * dx + py * dy;
+  if (along.most() < 0) return certainly_less(bound, to_from) ? Answer::no : Answer::unknown;
+  if (certainly_less(length, along)) return certainly_less(bound, to_to) ? Answer::no : Answer::unknown;
+  if (along.certainly_positive() && certainly_less(along, length) && certainly_less(to_line, most)) return Answer::yes;
+  return Answer::unknown;
+}
+
+bool Sources::exactly_near(const RationalPoint& p, const InputEdge& edge) const {
   return squared_distance(p, edge.from, edge.to) <= squared_bound_;
 }
 
-bool Sources::near_any(const RationalPoint& p) const {
-  return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& e) { return near(p, e); });
+bool Sources::near(const Point& p, const InputEdge& edge) const {
+  const Answer answer = estimate_near(EstimatedPoint(p), edge);
+  return answer == Answer::unknown ? exactly_near(RationalPoint(p), edge) : answer == Answer::yes;
+}
+
+bool Sources::near(const RationalPoint& p, const InputEdge& edge) const {
+  const auto estimate = [](const Rational& c) {
+    const auto value = static_cast<double>(c);
+    return Estimate(value, std::abs(value) * std::numeric_limits<double>::epsilon());
+  };
+  const Answer answer = estimate_near({estimate(p.x), estimate(p.y)}, edge);
+  return answer == Answer::unknown ? exactly_near(p, edge) : answer == Answer::yes;
+}
+
+bool Sources::near_any(const Trapezoid& trapezoid) const {
+  const EstimatedPoint centre = trapezoid.estimated_centre();
+  std::vector<const InputEdge*> unknown;
+  for (const InputEdge& edge : edges_) {
+    const Answer answer = estimate_near(centre, edge);
+    if (answer == Answer::yes) return true;
+    if (answer == Answer::unknown) unknown.push_back(&edge);
+  }
+  if (unknown.empty()) return false;
+  const RationalPoint exactly = trapezoid.centre();
+  return std::any_of(unknown.begin(), unknown.end(),
+                     [&](const InputEdge* edge) { return exactly_near(exactly, *edge); });
 }
 
 std::vector<std::size_t> Sources::near_both(const Point& p, const Point& q) const {
   std::vector<std::size_t> found;
-  const RationalPoint one(p), other(q);
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    if (near(one, edges_[e]) && near(other, edges_[e])) found.push_back(e);
+    if (near(p, edges_[e]) && near(q, edges_[e])) found.push_back(e);
   }
   return found;
 }
@@ -90,13 +162,18 @@ bool Sources::may_be_resolved(const Point& p) const {
 
 double Sources::displacement_ulps(const Point& p) const {
   if (edges_.empty() || is_vertex(p)) return 0;
-  const RationalPoint at(p);
-  Rational least = squared_distance(at, edges_[0].from, edges_[0].to);
+  long double least = std::numeric_limits<long double>::infinity();
   for (const InputEdge& e : edges_) {
-    const Rational distance = squared_distance(at, e.from, e.to);
-    if (distance < least) least = distance;
+    const long double dx = static_cast<long double>(e.to.x) - e.from.x,
+                      dy = static_cast<long double>(e.to.y) - e.from.y;
+    const long double px = static_cast<long double>(p.x) - e.from.x, py = static_cast<long double>(p.y) - e.from.y;
+    const long double length = dx * dx + dy * dy, along = px * dx + py * dy;
+    const long double qx = px - dx, qy = py - dy, area = dx * py - dy * px;
+    least = std::min(least, along <= 0        ? px * px + py * py
+                            : along >= length ? qx * qx + qy * qy
+                                              : area * area / length);
   }
-  return std::sqrt(static_cast<double>(least / (Rational(unit_) * Rational(unit_))));
+  return static_cast<double>(std::sqrt(least) / unit_);
 }
 
 namespace {
@@ -121,7 +198,7 @@ bool Sources::may_have_cancelled(const Point& p) const {
     const RationalPoint end{at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
     bool covered = false;
     for (std::size_t j = 0; j < edges_.size() && !covered; ++j)
-      covered = j != i && (near(end, edges_[j]) || (near(at, edges_[j]) && cross(e, edges_[j])));
+      covered = j != i && (near(end, edges_[j]) || (near(p, edges_[j]) && cross(e, edges_[j])));
     if (!covered) return false;
   }
   return true;

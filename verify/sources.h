@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "verify/rational.h"
+#include "verify/slabs.h"
 
 namespace oblast::verify {
 
@@ -32,9 +33,12 @@ class Sources {
   bool is_vertex(const Point& p) const;
   bool is_rounded_intersection(const Point& p) const;
 
-  /// Whether p lies within the bound of an edge.
+  /// Whether p lies within the bound of an edge. Exact; rationals only where an estimate cannot tell.
+  bool near(const Point& p, const InputEdge& edge) const;
   bool near(const RationalPoint& p, const InputEdge& edge) const;
-  bool near_any(const RationalPoint& p) const;
+
+  /// Whether the trapezoid's centre lies within the bound of any edge. Exact.
+  bool near_any(const Trapezoid& trapezoid) const;
 
   /// Edges (by index) within the bound of both points, hence of all between them.
   std::vector<std::size_t> near_both(const Point& p, const Point& q) const;
@@ -43,7 +47,8 @@ class Sources {
   /// its new vertices then are input vertices of the overlay.
   bool may_be_resolved(const Point& p) const;
 
-  /// Distance from p to the nearest edge, in units of the last place of the largest coordinate; 0 without edges.
+  /// Distance from p to the nearest edge, in units of the last place of the largest coordinate, to about a thousandth
+  /// of one; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
   /// True when every edge at vertex p may have cancelled: a stretch of three times the bound from p on, or the whole
@@ -57,6 +62,9 @@ class Sources {
   bool may_have_moved_onto(const Point& p, const Point& from, const Point& to) const;
 
  private:
+  enum class Answer { no, yes, unknown };
+  Answer estimate_near(const EstimatedPoint& p, const InputEdge& edge) const;
+  bool exactly_near(const RationalPoint& p, const InputEdge& edge) const;
   bool meets_own_polygon(std::size_t edge) const;
   void collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon);
 

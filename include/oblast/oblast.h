@@ -1,4 +1,5 @@
-// The whole public interface of oblast.
+// Overlays and triangulation, with all they need. The papers' other algorithms have headers of their own: classics.h,
+// hull.h, layers.h.
 #pragma once
 
 #include <oblast/domain.h>

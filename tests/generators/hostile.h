@@ -22,8 +22,9 @@ struct HostileGenerator {
   const char* what;  ///< one sentence
   /// `size`: about how many edges both operands have together; 8 or more.
   Operands (*make)(std::uint64_t seed, int size);
-  int usual = 60;    ///< the largest size at which a case takes milliseconds, for runs over very many
-  int larger = 500;  ///< a size at which a case has many thousand meetings at most, for tests that should be quick
+  int usual = 60;      ///< the largest size at which a case takes milliseconds, for runs over very many
+  int larger = 500;    ///< a size at which a case has many thousand meetings at most, for tests that should be quick
+  int largest = 4000;  ///< a size at which a case takes some tenths of a second, for a few among very many
 };
 
 /// All of them, in a fixed order.

@@ -60,9 +60,7 @@ std::optional<std::string> check(const ChainGraph& graph, const Options& options
 }  // namespace
 
 std::optional<std::string> recompute_result(const Operands& operands, const Request& request, Operation operation,
-                                            const RegionSet& result) {
-  // The slabs of an arrangement of more edges than these take seconds.
-  constexpr std::size_t most_vertices = 60;
+                                            const RegionSet& result, std::size_t most_vertices) {
   if (operands.a.points.size() + operands.b.points.size() + result.points.size() > most_vertices) return std::nullopt;
   const auto fault = verify::check_against(operands.a, operands.b, operation, options_of(request), result);
   if (!fault) return std::nullopt;
@@ -70,6 +68,9 @@ std::optional<std::string> recompute_result(const Operands& operands, const Requ
 }
 
 std::optional<std::string> recompute_arrangement(const Operands& operands, const Request& request) {
+  // Each pair of noded edges is looked at.
+  constexpr std::size_t most_vertices = 500;
+  if (operands.a.points.size() + operands.b.points.size() > most_vertices) return std::nullopt;
   const Options options = options_of(request);
   tbb::task_arena one_thread(1);
   return one_thread.execute([&] {

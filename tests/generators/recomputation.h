@@ -9,9 +9,15 @@
 
 namespace oblast::generators {
 
-/// What is wrong with `result`, A op B as the library gave it, by verify::check_against; cubic in the edges.
+/// Recomputing more vertices than these, of operands and result together, takes tenths of a second. Cases of up to 60
+/// edges have fewer, but for a few in a thousand.
+inline constexpr std::size_t vertices_recomputed_at_most = 1000;
+
+/// What is wrong with `result`, A op B as the library gave it, by verify::check_against, where there are at most
+/// `most_vertices` in all. Cost: quadratic in the edges, and by each wrong place once more in the edges.
 std::optional<std::string> recompute_result(const Operands& operands, const Request& request, Operation operation,
-                                            const RegionSet& result);
+                                            const RegionSet& result,
+                                            std::size_t most_vertices = vertices_recomputed_at_most);
 
 /// What is wrong with the noded edges and what is chosen from them (stages 2 to 5), by verify::NodedArrangement: they
 /// are settled; each operation's contours enclose exactly the area that the winding numbers say; and the areas add up

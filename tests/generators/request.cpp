@@ -54,7 +54,7 @@ Request draw_request(std::uint64_t seed) {
   request.other_threads = random.one_in(16);
   request.other_engines = random.one_in(4);
   request.recompute = random.one_in(256);
-  request.recomputed = static_cast<Operation>(random.below(4));
+  request.chosen = static_cast<Operation>(random.below(4));
   return request;
 }
 

@@ -17,9 +17,11 @@ struct Request {
   std::uint64_t seed = 0;      ///< of the shuffling
   bool other_threads = false;  ///< compare with two threads (costly)
   bool other_engines = false;  ///< compare with every engine that is present
-  bool recompute = false;      ///< one operation once more by exact arithmetic (recomputation.h; costly)
-  Operation recomputed = Operation::unite;
-  double patience = 60;  ///< seconds after which a call is cancelled, and counts as an exception
+  bool far = false;            ///< the chosen operation once more with others far away (far.h); not drawn
+  bool against = false;        ///< the chosen operation's result against exact arithmetic (recomputation.h); not drawn
+  bool recompute = false;      ///< the same, and the noded arrangement by exact arithmetic (costly)
+  Operation chosen = Operation::unite;
+  double patience = 0;  ///< seconds after which a call is cancelled, and counts as an exception; 0: never
 };
 
 Request draw_request(std::uint64_t seed);

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <exception>
 
+#include "generators/company.h"
+#include "generators/far.h"
 #include "generators/recomputation.h"
 #include "verify/verify.h"
 
@@ -23,6 +25,7 @@ constexpr std::array operations{Operation::intersection, Operation::unite, Opera
 Options options_of(const Request& request, Statistics* statistics) {
   Options options = options_of(request);
   options.statistics = statistics;
+  if (request.patience <= 0) return options;
   using Clock = std::chrono::steady_clock;
   const auto until =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(request.patience));
@@ -77,6 +80,22 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
   return std::nullopt;
 }
 
+FarSquares squares_of(const Operands& operands, const Request& request) {
+  return far_squares(operands, request.seed ^ 0xfa2u);
+}
+
+// The chosen operation with others far away, in another order.
+std::optional<Failure> run_with_squares(const Operands& operands, const Request& request, const RegionSet& alone) {
+  const FarSquares squares = squares_of(operands, request);
+  const Options options = options_of(request, nullptr);
+  const std::array results{alone, overlay(squares.a, squares.b, request.chosen, options)};
+  const Operands both = with_squares(operands, squares, request.seed);
+  if (overlay(both.a, both.b, request.chosen, options) == put_in_order(results)) return std::nullopt;
+  return Failure{Broken::far, request.chosen,
+                 std::to_string(squares.a.polygon_ends.size() + squares.b.polygon_ends.size()) +
+                     " squares that meet no box change the result"};
+}
+
 // More than all edges together can sweep over when each moves by a few units in the last place of the largest
 // coordinate, or by the smallest magnitude of the domain: an edge is at most about three times as long as that
 // coordinate is large.
@@ -113,6 +132,10 @@ const char* to_text(Broken broken) {
       return "not idempotent";
     case Broken::order_dependent:
       return "order-dependent";
+    case Broken::far:
+      return "changed by what lies far away";
+    case Broken::crowd:
+      return "changed in a crowd";
     case Broken::threw:
       return "exception";
     case Broken::engines_differ:
@@ -125,14 +148,25 @@ const char* to_text(Broken broken) {
   return "";
 }
 
+Operands with_others_far_away(const Operands& operands, const Request& request) {
+  return with_squares(operands, squares_of(operands, request), request.seed);
+}
+
 std::optional<Failure> run_trial(const Operands& operands, const Request& request, Figures& figures) {
   std::array<RegionSet, 4> results;
   for (std::size_t i = 0; i < operations.size(); ++i) {
     try {
       if (auto failure = run_operation(operands, operations[i], request, figures, results[i])) return failure;
-      if (request.recompute && operations[i] == request.recomputed) {
-        if (auto what = recompute_result(operands, request, operations[i], results[i]))
+      if (operations[i] != request.chosen) continue;
+      if (request.far) {
+        if (auto failure = run_with_squares(operands, request, results[i])) return failure;
+      }
+      if (request.against || request.recompute) {
+        const std::size_t most = request.against ? vertices_recomputed_at_most : 60;
+        if (auto what = recompute_result(operands, request, operations[i], results[i], most))
           return Failure{Broken::wrong, operations[i], *what};
+      }
+      if (request.recompute) {
         if (auto what = recompute_arrangement(operands, request)) return Failure{Broken::wrong, operations[i], *what};
       }
     } catch (const std::exception& e) {

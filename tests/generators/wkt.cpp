@@ -22,12 +22,15 @@ class Reader {
   RegionSet read() {
     const bool many = skip_word("MULTIPOLYGON");
     if (!many && !skip_word("POLYGON")) fail("POLYGON or MULTIPOLYGON");
-    if (skip_word("EMPTY")) return {};
-    if (many) {
-      list([this] { polygon(); });
-    } else {
-      polygon();
+    if (!skip_word("EMPTY")) {
+      if (many) {
+        list([this] { polygon(); });
+      } else {
+        polygon();
+      }
     }
+    skip_space();
+    if (*at_ != 0) fail("nothing more");
     return std::move(soup_);
   }
 

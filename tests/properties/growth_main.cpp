@@ -2,6 +2,9 @@
 // the first. Each measurement has a process of its own, so that its peak memory is its own.
 //
 //   oblast_growth [--edges N] [--steps S] [FAMILY...]
+//
+// Most families are united; hatch and needles are intersected, as A and B. For needles, which have far more meetings
+// than edges, a size stands for its square.
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 #include <sys/resource.h>
@@ -17,11 +20,13 @@
 #include <string>
 #include <vector>
 
+#include "generators/hostile.h"
 #include "generators/random.h"
 
 namespace {
 
 using namespace oblast;
+using generators::Operands;
 using generators::Random;
 
 void add(RegionSet& s, const std::vector<Point>& ring) {
@@ -117,9 +122,90 @@ RegionSet huge_and_tiny(std::size_t edges) {
   return s;
 }
 
+/// Slanted lines of one operand clipped by two tiles that share part of an edge.
+Operands hatch(std::size_t edges) {
+  const auto turned = [](double x, double y) -> Point {
+    const double c = 0.9553364891256060, s = 0.2955202066613396;  // of 0.3
+    return {x * c - y * s, x * s + y * c};
+  };
+  Operands operands;
+  const std::size_t lines = (edges - 8) / 4;
+  const double step = 100 / static_cast<double>(lines), width = 0.4 * step;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const double y = (static_cast<double>(i) + 0.25) * step - 50;
+    add(operands.a, {turned(-60, y), turned(60, y), turned(60, y + width), turned(-60, y + width)});
+  }
+  add(operands.b, {{-30, -30}, {0, -30}, {0, 30}, {-30, 30}});
+  add(operands.b, {{0, -29}, {30, -29}, {30, 31}, {0, 31}});
+  return operands;
+}
+
+/// Long thin triangles through nearly one point in nearly one direction; about half of all pairs of edges meet.
+Operands needles(std::size_t edges) {
+  Random random(1);
+  Operands operands;
+  const double near = 3e-16, dx = 0.4535961214255773, dy = 0.8912073600614354;  // of 1.1
+  const auto about_0 = [&] { return random.in(-near, near); };
+  const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(edges)) / 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = about_0(), u = about_0(), l = random.in(0.1, 10), m = random.in(0.1, 10);
+    const Point o{3.7 + about_0(), -2.9 + about_0()};
+    // Turned by t and by u from the common direction.
+    add(i % 2 == 0 ? operands.b : operands.a, {{o.x - l * (dx - t * dy), o.y - l * (dy + t * dx)},
+                                               {o.x + m * (dx - t * dy), o.y + m * (dy + t * dx)},
+                                               {o.x + l * (dx - u * dy), o.y + l * (dy + u * dx)}});
+  }
+  return operands;
+}
+
+/// Bursts: a hundred thin triangles through nearly one place each, in all directions; places far from each other.
+RegionSet bursts(std::size_t edges) {
+  Random random(7);
+  RegionSet s;
+  const std::size_t places = std::max<std::size_t>(1, edges / 300);
+  const auto columns = static_cast<std::size_t>(std::sqrt(static_cast<double>(places))) + 1;
+  for (std::size_t p = 0; p < places; ++p) {
+    const Point place{4.0 * static_cast<double>(p % columns), 4.0 * static_cast<double>(p / columns)};
+    for (int i = 0; i < 100; ++i) {
+      const double turn = random.unit();
+      const Point there = on_circle(1, turn), back = on_circle(1, turn + 0.5), beside = on_circle(1, turn + 0.5 + 1e-9);
+      const double dx = random.in(-1e-12, 1e-12), dy = random.in(-1e-12, 1e-12);
+      add(s, {{place.x + there.x + dx, place.y + there.y + dy},
+              {place.x + back.x + dx, place.y + back.y + dy},
+              {place.x + beside.x + dx, place.y + beside.y + dy}});
+    }
+  }
+  return s;
+}
+
+/// Triangles of sizes from 2^-20 to 2^20, at distances from the origin as large as they are: a few at each size reach
+/// each other. All in one input, so that the largest coordinate says nothing about most of it.
+RegionSet mixed_magnitudes(std::size_t edges) {
+  Random random(7);
+  RegionSet s;
+  for (std::size_t i = 0; i < edges / 3; ++i) {
+    const double scale = std::ldexp(1.0, random.between(-20, 20)), size = 4 / std::sqrt(static_cast<double>(edges));
+    const double x = scale * random.in(1, 2), y = scale * random.in(1, 2), w = scale * size;
+    add(s, {{x, y}, {x + w, y}, {x + w / 2, y + w}});
+  }
+  return s;
+}
+
+/// Small triangles side by side inside one of 2^60 times their size: all of them lie within a few units in the last
+/// place of its coordinates.
+RegionSet one_around(std::size_t edges) {
+  RegionSet s = one_x(edges - 3);
+  add(s, {{-0x1p60, -0x1p60}, {0x1p60, -0x1p60}, {-0x1p60, 0x1p60}});
+  return s;
+}
+
+/// A family of the first form is united, one of the second intersected.
 struct Family {
   const char* name;
   std::function<RegionSet(std::size_t)> make;
+  std::function<Operands(std::size_t)> make_two = {};
+
+  Operands operands(std::size_t edges) const { return make ? Operands{make(edges), {}} : make_two(edges); }
 };
 
 const Family families[] = {{"long_slabs", long_slabs},
@@ -128,7 +214,12 @@ const Family families[] = {{"long_slabs", long_slabs},
                            {"fan", fan},
                            {"nested_squares", nested_squares},
                            {"combs", combs},
-                           {"huge_and_tiny", huge_and_tiny}};
+                           {"huge_and_tiny", huge_and_tiny},
+                           {"hatch", {}, hatch},
+                           {"needles", {}, needles},
+                           {"bursts", bursts},
+                           {"mixed_magnitudes", mixed_magnitudes},
+                           {"one_around", one_around}};
 
 struct Measured {
   std::uint64_t edges = 0, intersections = 0;
@@ -148,10 +239,11 @@ double peak_bytes() {
 
 /// The quickest of a few runs.
 Measured measure_here(const Family& family, std::size_t edges) {
-  const RegionSet regions = family.make(edges);
+  const auto [a, b] = family.operands(edges);
+  const Operation operation = family.make ? Operation::unite : Operation::intersection;
   const double before = peak_bytes();
   Measured measured;
-  measured.edges = regions.points.size();
+  measured.edges = a.points.size() + b.points.size();
   measured.seconds = 1e30;
   double all = 0;
   for (int run = 0; run < 5 && (run == 0 || all < 2); ++run) {
@@ -160,7 +252,7 @@ Measured measure_here(const Family& family, std::size_t edges) {
     options.threads = 1;
     options.statistics = &statistics;
     const auto begin = std::chrono::steady_clock::now();
-    const RegionSet result = unite(regions, options);
+    const RegionSet result = overlay(a, b, operation, options);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     all += seconds;
     measured.seconds = std::min(measured.seconds, seconds);

@@ -1,5 +1,5 @@
-// A slice of the hostile cases: every generator, all four operations, every promise a trial checks.
-// oblast_hostile runs as many as one likes.
+// A slice of the hostile cases: every generator, all four operations, every promise a trial checks; alone, with others
+// far away, and in crowds. oblast_hostile runs as many as one likes.
 #include "generators/hostile.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +13,7 @@
 #include "generators/random.h"
 #include "generators/trial.h"
 #include "generators/wkt.h"
+#include "properties/hostile_run.h"
 
 namespace oblast::generators {
 namespace {
@@ -34,6 +35,7 @@ void run_cases(const HostileGenerator& generator, std::uint64_t cases, int small
     Figures figures;
     for (std::uint64_t seed; (seed = next++) <= cases;) {
       Request request = draw_request(seed);
+      request.far = true;
       if (recompute == Recompute::always) request.recompute = true;
       const Operands operands = generator.make(seed, Random(seed).between(smallest, largest));
       if (const auto failure = run_trial(operands, request, figures)) {
@@ -56,6 +58,21 @@ TEST_P(Hostile, tinyCasesAreWhatExactArithmeticSays) { run_cases(GetParam(), 40,
 
 // Large enough for the searches to split space, and for many edges to straddle the splits.
 TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 4, GetParam().larger / 2, GetParam().larger); }
+
+// Each case as above, and in crowds of 950 of all generators.
+TEST(HostileCrowds, casesKeepTheirBytesInCompany) {
+  HostileSettings settings;
+  settings.first_seed = 20001;
+  settings.cases = 200;
+  settings.against = false;  // asked by oblast_hostile
+  settings.show = 0;
+  const std::vector<HostileRow> rows = run_hostile(settings, [](const FailedCase& failed) {
+    ADD_FAILURE() << failed.generator->name << " "
+                  << describe(failed.operands, failed.request, failed.seed, failed.failure);
+  });
+  EXPECT_EQ(rows.size(), hostile_generators().size());
+  for (const HostileRow& row : rows) EXPECT_EQ(row.cases, settings.cases);
+}
 
 // Crossings near an axis are moved by up to 2^-301, far more than a unit in the last place of such coordinates:
 // clearance that did not count this left edges that crossed.

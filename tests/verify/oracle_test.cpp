@@ -293,7 +293,7 @@ bool wrong_by_trapezoids(const RegionSet& a, const RegionSet& b, Operation opera
   const std::vector<Operand> operands{
       {a, FillRule::polygons()}, {b, FillRule::polygons()}, {result, FillRule::even_odd()}};
   for_each_trapezoid(operands, [&](const Trapezoid& t) {
-    if (selects(operation, t.inside[0], t.inside[1]) != t.inside[2]) wrong = wrong || !sources.near_any(t.centre);
+    if (selects(operation, t.inside[0], t.inside[1]) != t.inside[2]) wrong = wrong || !sources.near_any(t);
   });
   return wrong;
 }
