@@ -57,7 +57,7 @@ class Retry {
     }
   };
 
-  /// Vertices that stay so far, along their rings.
+  /// Vertices that stay so far, along their rings; of those gone already, the one before that stays.
   void link() {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       const std::uint32_t begin = rings_.begin(r), end = rings_.ends[r];
@@ -65,8 +65,8 @@ class Retry {
       do --last;
       while (gone_[last]);
       for (std::uint32_t v = begin, previous = last; v < end; ++v) {
-        if (gone_[v]) continue;
         before_[v] = previous;
+        if (gone_[v]) continue;
         after_[previous] = v;
         previous = v;
       }
