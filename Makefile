@@ -1,6 +1,6 @@
 # What a person types. Everything is done by CMake, CTest and the scripts in tools/.
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test golden sanitize thread format lint bench fuzz clean
+.PHONY: help install build demo test tiny golden sanitize thread format lint bench fuzz clean
 
 PROGRAM := build/release/apps/oblast/oblast
 
@@ -23,6 +23,9 @@ test: build  ## every test, with totals
 
 golden: install  ## writes the golden digests anew: after a change of bytes that is meant (CONTRIBUTING.md)
 	@tools/golden --write
+
+tiny: install  ## the tests with all constants of src/base/tuning.h tiny; SEED=7: drawn at random
+	@tools/tiny $(if $(SEED),random $(SEED),tiny)
 
 sanitize: install  ## the tests under the address and undefined-behaviour sanitizers
 	@cmake --preset sanitize -DOBLAST_BUILD_PROGRAM=ON && cmake --build --preset sanitize && tools/test sanitize

@@ -38,7 +38,7 @@ inline constexpr std::size_t call_memory_sizes = choose("call_memory_sizes", 10,
 inline constexpr std::size_t shortest_kept_block = choose("shortest_kept_block", 64 << 10, 256);
 
 /// A kept block more than so many times as long as the array is left for a longer one. Not measured.
-inline constexpr std::size_t largest_kept_excess = choose("largest_kept_excess", 2, 1);
+inline constexpr std::size_t largest_kept_excess = choose("largest_kept_excess", 2, 2);
 
 /// Bytes from which on an array asks for large pages and is first touched by all cores. Half a large page would not be
 /// one. Shorter arrays resized as they are: pairs 676 to 636 ms, with other changes (4b82e03).
@@ -214,7 +214,8 @@ inline constexpr std::size_t keys_a_range = choose("keys_a_range", 1 << 16, 32);
 inline constexpr std::size_t digits_a_task = choose("digits_a_task", 64, 32);
 inline constexpr std::size_t curve_points_a_task = choose("curve_points_a_task", 32768, 16);
 
-/// So many points in one cell of the curve are sorted again inside it: an even number. Not measured.
+/// So many points in one cell of the curve are sorted again inside it: an even number. Where they are on one circle it
+/// decides which of their triangulations `triangulate` gives. Not measured.
 inline constexpr std::uint32_t curve_crowd = choose_power_of_two("curve_crowd", 16, 4);
 
 /// Vertices that are sorted out by whether they are nodes together, without branches. Not measured.
@@ -292,5 +293,9 @@ inline constexpr double settling_ulps = 2;
 /// From the round after this one on new vertices are rounded ever more coarsely, so that noding ends for certain. No
 /// case has needed more than seven rounds.
 inline constexpr std::uint64_t last_patient_round = 24;
+
+/// Rounds in which points are inserted into a triangulation: with the order along the curve it decides which of the
+/// triangulations of points on one circle `triangulate` gives. More rounds are of no use below 8^16 points.
+inline constexpr int insertion_rounds = 16;
 
 }  // namespace oblast::tuning

@@ -5,6 +5,7 @@
 #include <bit>
 #include <utility>
 
+#include "base/tuning.h"
 #include "memory/large_pages.h"
 #include "noding/curve_order.h"
 
@@ -18,7 +19,7 @@ std::uint64_t mixed(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-constexpr int most_rounds = 16;
+constexpr int most_rounds = tuning::insertion_rounds;
 
 /// 0 is the last round.
 int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index)) / 3, most_rounds - 1); }

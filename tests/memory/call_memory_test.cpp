@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/tuning.h"
 #include "generators/random.h"
 
 namespace oblast {
@@ -55,13 +56,15 @@ TEST(CallMemory, whatIsFreedIsTakenAgain) {
 TEST(CallMemory, usedUpOrTooSmallItSaysSo) {
   if (sanitized) GTEST_SKIP() << "every array is the system's";
   CallMemory memory;
-  EXPECT_EQ(memory.take(1 << 20), nullptr);
+  // The largest of its sizes; the smallest is 32 bytes.
+  constexpr std::size_t largest = std::size_t{32} << (tuning::call_memory_sizes - 1);
+  EXPECT_EQ(memory.take(largest + 1), nullptr);
   EXPECT_NE(memory.take(1), nullptr);
-  int taken = 0;
-  while (memory.take(1000)) ++taken;
-  EXPECT_GT(taken, 10);
-  EXPECT_LT(taken, 100);
-  EXPECT_NE(memory.take(1), nullptr) << "a smaller one still fits";
+  std::size_t taken = 0;
+  while (memory.take(largest)) ++taken;
+  EXPECT_EQ(taken, (tuning::call_memory_bytes - 32) / largest);
+  const std::size_t left = (tuning::call_memory_bytes - 32) % largest;
+  EXPECT_EQ(memory.take(1) != nullptr, left >= 32) << "a smaller one still fits";
 }
 
 TEST(CallMemory, whatIsNotFromItGoesWhereItIsFrom) {

@@ -1,5 +1,5 @@
 // Independent parts against brute force: boxes of strands in different batches never meet, nothing that matters is
-// left out, batches are of a few thousand vertices.
+// left out, batches have the vertices they should.
 #include "overlay/independent_parts.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/tuning.h"
 #include "generators/random.h"
 #include "noding/monotone_runs.h"
 #include "support/strands_of.h"
@@ -21,8 +22,6 @@ using testing::box;
 using testing::closed;
 using testing::Path;
 using testing::strands_of;
-
-constexpr std::size_t batch_vertices = 4000;
 
 Box box_of(const Strands& strands, std::size_t s) {
   Box b = Box::of(strands.points[strands.begin(s)], strands.points[strands.begin(s)]);
@@ -61,7 +60,7 @@ IndependentParts parts_checked(const Strands& strands, PartNeeds needs = {}) {
       vertices += strands.ends[parts.strands[i]] - strands.begin(parts.strands[i]);
     }
     if (b + 1 < parts.size()) {
-      EXPECT_GE(vertices, batch_vertices);
+      EXPECT_GE(vertices, tuning::batch_vertices);
     }
   }
   EXPECT_EQ(parts.strands.size(), parts.ends.empty() ? 0 : parts.ends.back());
@@ -179,10 +178,11 @@ TEST(IndependentParts, longStrandsAreBatchesOfTheirOwn) {
 }
 
 TEST(IndependentParts, fewVerticesAreNotDivided) {
-  const Strands strands = scattered(100, 0.001, 5);
+  constexpr auto few = static_cast<int>(tuning::batch_vertices / 5);
+  const Strands strands = scattered(few, 0.001, 5);
   const IndependentParts parts = independent_parts(strands, {true, true});
   EXPECT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts.strands.size(), 100u);
+  EXPECT_EQ(parts.strands.size(), static_cast<std::size_t>(few));
 }
 
 TEST(IndependentParts, batchesHoldTheirStrandsUnchanged) {
