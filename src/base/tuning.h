@@ -214,10 +214,6 @@ inline constexpr std::size_t keys_a_range = choose("keys_a_range", 1 << 16, 32);
 inline constexpr std::size_t digits_a_task = choose("digits_a_task", 64, 32);
 inline constexpr std::size_t curve_points_a_task = choose("curve_points_a_task", 32768, 16);
 
-/// So many points in one cell of the curve are sorted again inside it: an even number. Where they are on one circle it
-/// decides which of their triangulations `triangulate` gives. Not measured.
-inline constexpr std::uint32_t curve_crowd = choose_power_of_two("curve_crowd", 16, 4);
-
 /// Vertices that are sorted out by whether they are nodes together, without branches. Not measured.
 inline constexpr std::uint32_t stop_vertices_a_block = choose("stop_vertices_a_block", 128, 4);
 
@@ -282,7 +278,8 @@ inline constexpr std::uint32_t largest_raster_side = choose("largest_raster_side
 
 // ---- What decides bytes --------------------------------------------------------------------------------------------
 //
-// Another value would be another result, in the last places of coordinates and in where vertices are. So these are part
+// Another value would be another result, in the last places of coordinates and in where vertices are; or, for the last
+// two, another triangulation. So these are part
 // of the definition, and the same in every setting.
 
 /// Rounds of noding up to this one put a vertex at every crossing; later ones settle it at an end of an edge within
@@ -294,8 +291,11 @@ inline constexpr double settling_ulps = 2;
 /// case has needed more than seven rounds.
 inline constexpr std::uint64_t last_patient_round = 24;
 
-/// Rounds in which points are inserted into a triangulation: with the order along the curve it decides which of the
-/// triangulations of points on one circle `triangulate` gives. More rounds are of no use below 8^16 points.
+/// Of points on one circle `triangulate` gives the triangulation that comes of the order in which they are inserted.
+/// That is decided by the rounds of insertion (more are of no use below 8^16 points), and along the curve in each round
+/// by how many points in one of its cells are sorted again inside it, an even number. Neither measured against other
+/// values.
 inline constexpr int insertion_rounds = 16;
+inline constexpr std::uint32_t curve_crowd = 16;
 
 }  // namespace oblast::tuning
