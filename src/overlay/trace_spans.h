@@ -29,8 +29,8 @@ struct TraceSpan {
   bool is_monotone;     ///< its vertices follow one another along the chord
 };
 
-/// A trace vertex, an input edge of which the edges there are pieces, and the span of that edge. Where trace vertices of
-/// different input edges follow one another, spans overlap, and a vertex may be in several.
+/// A trace vertex, an input edge of which the edges there are pieces, and the span of that edge. Where trace vertices
+/// of different input edges follow one another, spans overlap, and a vertex may be in several.
 struct SpanMember {
   std::uint32_t vertex, edge, span;
 };
