@@ -35,14 +35,16 @@ class Search {
         std::partition(seeds.begin(), seeds.end(), [&](const Point& p) { return (wide ? p.x : p.y) < middle; });
     Box lower = box, upper = box;
     (wide ? lower.x1 : lower.y1) = (wide ? upper.x0 : upper.y0) = middle;
-    for (const auto& [half, part] :
-         {std::pair(lower, std::span(seeds.begin(), lower_end)), std::pair(upper, std::span(lower_end, seeds.end()))}) {
-      if (part.empty()) continue;
-      std::vector<std::uint32_t> inside;
-      std::copy_if(edges.begin(), edges.end(), std::back_inserter(inside),
-                   [&](std::uint32_t e) { return may_reach(segments_[e], half, 0); });
-      descend(half, inside, part, depth + 1);
-    }
+    descend_half(lower, edges, std::span(seeds.begin(), lower_end), depth);
+    descend_half(upper, edges, std::span(lower_end, seeds.end()), depth);
+  }
+
+  void descend_half(const Box& half, const std::vector<std::uint32_t>& edges, std::span<Point> seeds, int depth) {
+    if (seeds.empty()) return;
+    std::vector<std::uint32_t> inside;
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(inside),
+                 [&](std::uint32_t e) { return may_reach(segments_[e], half, 0); });
+    descend(half, inside, seeds, depth + 1);
   }
 
   void try_pairs(const std::vector<std::uint32_t>& edges) {
@@ -86,6 +88,7 @@ std::vector<Point> some_crossings(const Segments& segments, std::size_t most, st
   constexpr std::uint32_t most_seeds = 300'000;
   const std::uint32_t edges = segments.input_count(), count = std::min(edges, most_seeds);
   std::vector<Point> seeds;
+  seeds.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const Segment& s = segments[static_cast<std::uint32_t>(static_cast<double>(i) / count * edges)];
     const double t = uniform(random);

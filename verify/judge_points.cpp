@@ -162,6 +162,7 @@ std::optional<WrongPlace> judge_points(const Segments& segments, const Question&
             [&](std::uint32_t p, std::uint32_t q) { return probes[p].at.x < probes[q].at.x; });
   // Strips of as many points for each thread.
   std::vector<std::future<Found>> strips;
+  strips.reserve(static_cast<std::size_t>(threads));
   for (int t = 0; t < threads; ++t) {
     const std::size_t first = order.size() * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
     const std::size_t last = order.size() * static_cast<std::size_t>(t + 1) / static_cast<std::size_t>(threads);

@@ -82,6 +82,7 @@ class Chooser {
   // Vertices of the result that are not vertices of an operand.
   void find_new_vertices() {
     std::vector<Point> old;
+    old.reserve(segments_.input_count());
     for (std::uint32_t e = 0; e < segments_.input_count(); ++e) old.push_back(segments_[e].from);
     std::sort(old.begin(), old.end(), lexicographically_less);
     for (std::uint32_t e = segments_.input_count(); e < segments_.size(); ++e) {

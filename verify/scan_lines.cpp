@@ -116,6 +116,7 @@ class LineSet {
       }
     }
     std::vector<std::future<Found>> workers;
+    workers.reserve(static_cast<std::size_t>(threads));
     for (int t = 0; t < threads; ++t) {
       workers.push_back(std::async(std::launch::async, [&, t] {
         Found found;
@@ -180,6 +181,7 @@ std::vector<double> choose_lines(const Segments& segments, Axis axis, std::uint3
   const Box& box = segments.box();
   const double low = axis.across({box.x0, box.y0}), high = axis.across({box.x1, box.y1});
   std::vector<double> lines;
+  lines.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const double u = uniform(random), v = uniform(random);
     if (i % 2 == 0) {
