@@ -75,8 +75,13 @@ struct Statistics {
   double seconds[stage_count] = {};  ///< wall time by stage
 };
 
-/// Asked between pieces of work with the stage and the fraction of it done (0 to 1). May be called
-/// from several threads, one at a time. Returning false cancels the call: it throws Error(cancelled).
+/// Asked between pieces of work with the stage that is under way and the fraction of the whole call that is done: it
+/// grows from one question to the next, and is 1 at the last one only, when all is done. It is an estimate. Asked at
+/// most every 5 milliseconds, and on large inputs at least every 0.1 s or so.
+///
+/// Called from any thread that works for the call, never from two at a time. Returning false cancels the call: it
+/// throws Error(cancelled) within about as long. What it throws ends the call likewise, and comes out as it is. After
+/// either it is not asked again. It may make other calls of the library, but must not wait for its own call.
 using Progress = std::function<bool(Stage stage, double fraction)>;
 
 struct Options {

@@ -12,8 +12,13 @@ namespace oblast {
 /// Any finite input inside the domain is admitted (see RegionView and domain.h). The result is
 /// closed, canonical and bit-preserving: promises G1 to G4, docs/guarantees.md.
 /// Cost: O((n + k) log n) time and O(n + k) memory, n edges and k meetings of edges.
-/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled; and std::bad_alloc. Whatever
-/// is thrown, nothing leaks and the next call is not affected.
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled; std::bad_alloc; and what
+/// Options::progress throws. Whatever is thrown, on whichever thread, it comes out once and as it is, nothing leaks and
+/// the next call is not affected.
+///
+/// Calls may run side by side on any threads, on the same input too, as long as nobody writes to it. With
+/// Options::threads 0 a call takes part in the caller's oneTBB arena; it may be made from within his own tasks, also
+/// ones that he cancels: then it ends as it would have. With 1 it stays on the caller's thread.
 RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options = {});
 
 /// The union of any number of polygons in one pass; `options.fill_a` is its rule.

@@ -13,8 +13,8 @@ class KeptBlocks;
 /// no difference to the results. Calls on a few dozen vertices do without it; so do calls on more vertices than it has
 /// 64 bytes for, which empty it.
 ///
-/// Calls may share one at the same time, under a lock; one a thread is best. It must outlive the calls, not their
-/// results.
+/// Calls on any threads may share one at the same time, under a lock; one a thread is best. clear() and kept_bytes()
+/// may be called meanwhile, but to move or destroy it may not. It must outlive the calls, not their results.
 class Workspace {
  public:
   static constexpr std::size_t usual_bytes = std::size_t{16} << 20;

@@ -4,6 +4,7 @@
 //   WorkingFor     while it lives, this thread works for a call: Call::current(). The loops of parallel.h make one in
 //                  every task, so whatever has to be set on each thread is set there
 //   poll()         whether to go on: in every loop that may be long
+//   Steps          the same in a sequential loop, with progress
 //
 // How a call fails. What is thrown in a task is kept in the Call, the first of all (Call::attempt); from then on
 // stopped() is true, and every other task of the call ends by Stopped at its next poll. A loop whose bodies did not all
@@ -16,7 +17,9 @@
 #include <utility>
 
 #include "base/control.h"
+#include "base/progress.h"
 #include "base/stopped.h"
+#include "base/tuning.h"
 
 namespace oblast {
 
@@ -92,11 +95,30 @@ class WorkingFor {
 
  private:
   Call* outer_;  ///< a call may be made from within another's progress function
+  NoShare no_share_;
 };
 
 /// Throws where the call that this thread works for is to end. Cheap enough for every few hundred edges.
 inline void poll() {
   if (Call* const call = Call::current()) call->poll();
 }
+
+/// In a sequential loop of short steps, so many (0: not known): called at each of them.
+class Steps {
+ public:
+  explicit Steps(std::size_t count = 0, std::size_t between_polls = tuning::steps_a_poll)
+      : share_(count), between_polls_(between_polls), until_poll_(between_polls) {}
+
+  void operator()() {
+    if (--until_poll_ > 0) return;
+    until_poll_ = between_polls_;
+    share_.advance(between_polls_);
+    poll();
+  }
+
+ private:
+  LoopShare share_;
+  std::size_t between_polls_, until_poll_;
+};
 
 }  // namespace oblast

@@ -78,23 +78,27 @@ namespace detail {
 
 /// Ranges of one task, no longer than the grain, so that each call of the body is short.
 template <class Body>
-void run_ranges(Call& call, std::size_t begin, std::size_t end, std::size_t grain, const Body& body) {
+void run_ranges(Call& call, const LoopShare& share, std::size_t begin, std::size_t end, std::size_t grain,
+                const Body& body) {
+  const NoShare no_share;
   for (std::size_t next = begin; begin < end; begin = next) {
     next = end - begin > grain ? begin + grain : end;
     call.poll();
     body(begin, next);
+    share.advance(next - begin);
   }
 }
 
 template <class Body>
 void share_ranges(Call& call, std::size_t count, std::size_t grain, const Body& body) {
+  const LoopShare share(count);
   tbb::task_group_context context(tbb::task_group_context::isolated);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count, grain),
       [&](const tbb::blocked_range<std::size_t>& range) {
         call.attempt([&] {
           const WorkingFor working(call);
-          run_ranges(call, range.begin(), range.end(), grain, body);
+          run_ranges(call, share, range.begin(), range.end(), grain, body);
         });
       },
       tbb::auto_partitioner(), context);
@@ -114,7 +118,7 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
   } else if (!call) {
     within_call([&] { for_ranges(count, grain, body); });
   } else if (call->cores == 1) {
-    detail::run_ranges(*call, 0, count, grain, body);
+    detail::run_ranges(*call, LoopShare(count), 0, count, grain, body);
   } else {
     detail::share_ranges(*call, count, grain, body);
   }

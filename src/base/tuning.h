@@ -51,6 +51,17 @@ inline constexpr std::size_t touched_pieces_a_task = choose("touched_pieces_a_ta
 /// short arrays do both.
 inline constexpr std::size_t large_page = setting == Setting::usual ? 2 << 20 : 4 << 10;
 
+// ---- Questions to the caller ---------------------------------------------------------------------------------------
+
+/// Microseconds between two questions whether to go on: a question costs what the caller's function does. Not measured.
+inline constexpr std::size_t microseconds_a_question = choose("microseconds_a_question", 5000, 50);
+
+/// Steps of a sequential loop, some tens of nanoseconds each, between two looks at the clock. Not measured.
+inline constexpr std::size_t steps_a_poll = choose("steps_a_poll", 1024, 1);
+
+/// The same where a step is a contour looked for in a raster. Not measured.
+inline constexpr std::size_t contours_a_poll = choose("contours_a_poll", 16, 1);
+
 // ---- Loops on all cores: indices a range or task -------------------------------------------------------------------
 //
 // Each trades the cost of a task, some microseconds with what it finds cold, for cores that wait. Usual values are

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 
 namespace oblast {
@@ -98,7 +99,7 @@ std::vector<Point> lee_hull(std::span<const Point> ring, int direction) {
 }
 
 std::vector<Point> monotone_chain_hull(std::vector<Point>& points) {
-  std::sort(points.begin(), points.end(), lexicographically_less);
+  parallel_sort(points.begin(), points.end(), lexicographically_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Point> hull;

@@ -40,7 +40,9 @@ class CutInsertion {
     strands_.points.resize(to_);
     resize_in_large_pages(strands_.flags, to_);
     resize_in_large_pages(strands_.origin, to_);
+    Steps steps(cuts_.size());
     for (std::size_t past = cuts_.size(); past > 0;) {
+      steps();
       const std::uint32_t edge = cuts_[past - 1].edge;
       std::size_t first = past;
       while (first > 0 && cuts_[first - 1].edge == edge) --first;

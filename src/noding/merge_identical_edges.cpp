@@ -73,9 +73,11 @@ class EdgeTable {
 /// Visits the edges a few at a time: prepare(edge) for each of them, then visit(edge, its strand).
 template <class Prepare, class Visit>
 void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visit) {
+  Steps steps(strands.size() + strands.points.size() / ahead);
   for (std::size_t s = 0; s < strands.size(); ++s) {
     const std::uint32_t last = strands.ends[s] - 1;
     for (std::uint32_t first = strands.begin(s); first < last; first += ahead) {
+      steps();
       const std::uint32_t past = std::min(first + ahead, last);
       for (std::uint32_t e = first; e < past; ++e) prepare(e);
       for (std::uint32_t e = first; e < past; ++e) visit(e, s);

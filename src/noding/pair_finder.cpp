@@ -201,6 +201,7 @@ class Finder {
     LargeArray<Entry> right;
     Array<Task> stack{{0, root}};
     while (!stack.empty()) {
+      poll();
       Task task = stack.back();
       stack.pop_back();
       if (one_group(tail(entries, task.begin))) {
@@ -241,8 +242,8 @@ class Finder {
     const Axis across = axis == Axis::x ? Axis::y : Axis::x;
     const auto before = [&](const Entry& p, const Entry& q) { return low(p.box, across) < low(q.box, across); };
     const std::span<Entry> others = all.first(staying), crossers = all.subspan(staying);
-    std::sort(others.begin(), others.end(), before);
-    std::sort(crossers.begin(), crossers.end(), before);
+    parallel_sort(others.begin(), others.end(), before);
+    parallel_sort(crossers.begin(), crossers.end(), before);
     // Each with those that begin not before it, and before it ends.
     const auto match = [&](const Entry& e, std::span<const Entry> sorted, PairBatch& found) {
       const double reach = high(e.box, across) + nearness_.margin;

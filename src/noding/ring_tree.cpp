@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/call.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "memory/call_memory.h"
@@ -109,7 +110,9 @@ std::optional<bool> RingTree::edges_meet() const {
     if (i == j || box(level, i).meets(box(level, j))) stack[on_stack++] = {level, i, j};
   };
   push(static_cast<std::uint32_t>(level_begins_.size() - 2), 0, 0);
+  Steps steps;
   while (on_stack > 0) {
+    steps();
     const auto [level, i, j] = stack[--on_stack];
     if (++looks > most_looks()) return {};
     if (level == 0) {

@@ -93,7 +93,9 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   Array<std::uint32_t> order;  // of the rings in the result
   order.reserve(rings.size());
   std::uint32_t size = 0;
+  Steps steps(polygons.size());
   for (std::size_t p = 0; p < polygons.size(); ++p) {
+    steps();
     const PolygonKey& polygon = polygons[p];
     if (p + fetched_ahead < polygons.size()) {
       const PolygonKey& later = polygons[p + fetched_ahead];
@@ -104,7 +106,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
     const auto first = members.begin() + (polygon.index == 0 ? 0 : ends[polygon.index - 1]);
     const auto last = members.begin() + ends[polygon.index];
     if (last - first > 1)
-      std::sort(first, last, [&](std::uint32_t r, std::uint32_t s) {
+      parallel_sort(first, last, [&](std::uint32_t r, std::uint32_t s) {
         return nesting.outer[r] != nesting.outer[s] ? nesting.outer[r] != 0 : rotations[r] < rotations[s];
       });
     for (auto r = first; r != last; ++r) {
@@ -147,7 +149,9 @@ RegionSet join(Array<RegionSet> parts) {
   result.contour_ends.resize(contours);
   result.polygon_ends.resize(polygons.size());
   std::uint32_t point = 0, contour = 0;
+  Steps steps(polygons.size());
   for (std::size_t i = 0; i < polygons.size(); ++i) {
+    steps();
     const RegionView view = parts[polygons[i].part];
     const std::uint32_t begin = view.polygon_begin(polygons[i].index), end = view.polygon_end(polygons[i].index);
     polygons[i].point = point;

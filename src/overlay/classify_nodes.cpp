@@ -91,7 +91,7 @@ class TraceFinder {
     });
     for (const Array<TraceEdge>& part : found) sources_.insert(sources_.end(), part.begin(), part.end());
     for (const TraceEdge& source : sources_) flags_[source.at] |= trace_vertex;
-    std::sort(sources_.begin(), sources_.end());
+    parallel_sort(sources_.begin(), sources_.end());
     sources_.erase(std::unique(sources_.begin(), sources_.end()), sources_.end());
   }
 

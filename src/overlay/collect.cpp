@@ -181,11 +181,12 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
   const std::size_t parts = range_count(count, polygons_a_part);
   const auto begin_of = [&](std::size_t part) { return std::min(count, part * polygons_a_part); };
   const auto read_part = [&](std::size_t part, Strands& to) {
-    control.checkpoint(Stage::collect, static_cast<double>(part) / static_cast<double>(parts));
     return reader.read(begin_of(part), begin_of(part + 1), to);
   };
   if (parts == 1 || core_count() == 1) {
-    for (std::size_t part = 0; part < parts; ++part) statistics.resolved_polygons += read_part(part, strands);
+    for_ranges(parts, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t part = begin; part < end; ++part) statistics.resolved_polygons += read_part(part, strands);
+    });
     return;
   }
   Array<Strands> read(parts);
@@ -201,7 +202,9 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
 }
 
 void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands) {
+  Steps steps(operand.contour_count());
   for (std::size_t c = 0; c < operand.contour_count(); ++c) {
+    steps();
     const std::span ring = append_clean(operand.contour(c), strands.points);
     if (ring.empty()) continue;
     strands.points.push_back(Point(ring[0]));

@@ -49,7 +49,11 @@ class Connector {
     }
     LargeArray<std::uint32_t> component;
     resize_in_large_pages(component, order_.size());
-    for (std::uint32_t i = 0; i < order_.size(); ++i) component[order_[i]] = sets_.find(i);
+    Steps steps(order_.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) {
+      steps();
+      component[order_[i]] = sets_.find(i);
+    }
     return component;
   }
 
@@ -84,7 +88,9 @@ class Connector {
       if (p.j < size(p.level) && box(p.level, p.i).meets(box(p.level, p.j))) stack[on_stack++] = p;
     };
     push(nodes);
+    Steps steps;
     while (on_stack > 0) {
+      steps();
       const auto [level, i, j] = stack[--on_stack];
       if (++looks > most_looks) return false;
       const std::uint32_t i_first = first_leaf(level, i), j_first = first_leaf(level, j);

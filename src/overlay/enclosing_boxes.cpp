@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/call.h"
 #include "base/tuning.h"
 #include "memory/call_memory.h"
 
@@ -60,7 +61,9 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
   for (const Box& b : boxes) around = around.joined(b);
   const PointGrid grid(around, points);
   std::size_t looks = 0;
+  Steps steps(count);
   for (std::uint32_t i = 0; i < count; ++i) {
+    steps();
     const Box& box = boxes[i];
     const std::uint32_t first_column = grid.column(box.x0), last_column = grid.column(box.x1);
     for (std::uint32_t row = grid.row(box.y0); row <= grid.row(box.y1); ++row) {

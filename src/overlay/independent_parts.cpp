@@ -53,7 +53,9 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     std::uint32_t batch = none;
   };
   Array<Part> part(count);  // by component
+  Steps steps(std::size_t{2} * count);
   for (std::uint32_t s = 0; s < count; ++s) {
+    steps();
     Part& p = part[connected.component[s]];
     p.vertices += strands.ends[s] - strands.begin(s);
     p.a |= strands.change[s].a != 0;
@@ -65,6 +67,7 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
   Array<std::uint32_t> size;  // by batch: its strands
   std::size_t filled = tuning::batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
+    steps();
     Part& p = part[connected.component[s]];
     if ((needs.a && !p.a) || (needs.b && !p.b)) continue;
     if (p.batch == none) {

@@ -73,6 +73,7 @@ class WalkCollector {
     path_.clear();
     std::uint32_t c = first_chain;
     do {
+      steps_();
       const Descriptor d = paths_.selection[c];
       const std::uint32_t node = paths_.graph.start_node(d);
       if (!is_near(node, c)) return mark_far(contours, parts);
@@ -120,6 +121,7 @@ class WalkCollector {
 
   Paths& paths_;
   Array<Descriptor> path_;
+  Steps steps_;
 };
 
 class Linker {

@@ -152,10 +152,12 @@ void Sweep::run(Array<Below>& answers) {
   Array<decltype(status)::iterator> places(runs_.size());
 
   std::size_t next_start = 0, next_finish = 0;
+  Steps steps(2 * runs_.size());
   for (const std::uint32_t query : order_) {
     const Point& p = queries_[query].p;
     // In order: at one point runs finish before others start.
     for (;;) {
+      steps();
       const bool starting = next_start < starts.size() && !lexicographically_less(p, start_points_[starts[next_start]]);
       const bool finishing =
           next_finish < finishes.size() && !lexicographically_less(p, point(runs_[finishes[next_finish]].end));
@@ -190,7 +192,11 @@ Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t
   Array<Below> answers(queries.size());
   for_numbered_ranges(order.size(), queries_a_slab, [&](std::size_t, std::size_t begin, std::size_t end) {
     Sweep sweep(graph, queries, std::span(order).subspan(begin, end - begin));
-    for (const std::uint32_t chain : chains) sweep.add(chain);
+    Steps steps(chains.size());
+    for (const std::uint32_t chain : chains) {
+      steps();
+      sweep.add(chain);
+    }
     sweep.run(answers);
   });
   return answers;

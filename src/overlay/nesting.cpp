@@ -66,8 +66,8 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
     if (polygon_of_walk[linked.walk[r]] == none && (first == none || lower(arrivals[r], arrivals[first]))) first = r;
   }
   std::erase(first_ring, none);
-  std::sort(first_ring.begin(), first_ring.end(),
-            [&](std::uint32_t r, std::uint32_t s) { return lexicographically_less(arrivals[r].p, arrivals[s].p); });
+  parallel_sort(first_ring.begin(), first_ring.end(),
+                [&](std::uint32_t r, std::uint32_t s) { return lexicographically_less(arrivals[r].p, arrivals[s].p); });
   Array<BelowQuery> queries;
   queries.reserve(first_ring.size());
   for (const std::uint32_t r : first_ring) queries.push_back(arrivals[r]);

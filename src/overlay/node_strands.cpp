@@ -34,7 +34,7 @@ Array<std::uint32_t> find_tangled(Strands& strands) {
 }  // namespace
 
 Strands node_strands(Strands strands, noding::NodingReport& report, Control& control, Statistics& statistics) {
-  const auto checkpoint = [&] { control.checkpoint(Stage::node, report.rounds == 0 ? 0.0 : 0.8); };
+  const auto checkpoint = [] { poll(); };
   const auto resolve_all = [&](const Array<std::uint32_t>& tangled) {
     statistics.resolved_polygons += tangled.size();
     strands = resolve_tangled(strands, tangled, control);

@@ -61,11 +61,19 @@ RegionSet run(const RegionView& a, const RegionView* b, Operation operation, con
     CallMemory memory;
     call.memory = &memory;
     const WorkingFor working(call);
-    return run_in_call(a, b, operation, options, control);
+    RegionSet result = run_in_call(a, b, operation, options, control);
+    control.finish();
+    return result;
   }
   call.blocks = kept_blocks(options.workspace, vertices);
   RegionSet result;
-  run_call(call, options.threads, [&] { result = run_in_call(a, b, operation, options, control); });
+  run_call(call, options.threads, [&] {
+    {
+      const Share whole(control);
+      result = run_in_call(a, b, operation, options, control);
+    }
+    control.finish();
+  });
   return result;
 }
 

@@ -19,6 +19,7 @@
 #include "overlay/node_strands.h"
 #include "overlay/rings.h"
 #include "overlay/select.h"
+#include "overlay/stage_shares.h"
 
 namespace oblast {
 namespace {
@@ -33,6 +34,8 @@ void report_noding(const noding::NodingReport& noding, const ChainGraph& graph, 
 }
 
 ChainGraph node_stage(noding::Strands strands, const Options& options, Control& control, Statistics& statistics) {
+  poll();
+  const Share share(Stage::node, node_share);
   const StageClock clock(control, statistics, Stage::node);
   noding::NodingReport report(options.statistics != nullptr);
   ChainGraph graph = build_chain_graph(node_strands(std::move(strands), report, control, statistics));
@@ -41,7 +44,8 @@ ChainGraph node_stage(noding::Strands strands, const Options& options, Control& 
 }
 
 LargeArray<Winding> label_stage(const ChainGraph& graph, Engine engine, Control& control, Statistics& statistics) {
-  control.checkpoint(Stage::label, 0);
+  poll();
+  const Share share(Stage::label, label_share);
   const StageClock clock(control, statistics, Stage::label);
   switch (engine) {
     case Engine::vatti:
@@ -63,7 +67,8 @@ Selection label_and_select(const ChainGraph& graph, Operation operation, const O
   const LargeArray<Winding> right = label_stage(graph, options.engine, control, statistics);
 
   // 4. select
-  control.checkpoint(Stage::select, 0);
+  poll();
+  const Share share(Stage::select, select_share);
   const StageClock clock(control, statistics, Stage::select);
   return select(graph, right, operation, options);
 }
@@ -83,16 +88,18 @@ Outline outline(noding::Strands strands, Operation operation, const Options& opt
   const Selection selection = label_and_select(graph, operation, options, control, statistics);
 
   // 5. link
-  control.checkpoint(Stage::link, 0);
+  poll();
   LinkedContours linked;
   Rings rings;
   {
+    const Share share(Stage::link, link_share);
     const StageClock clock(control, statistics, Stage::link);
     linked = link(graph, selection, options.contours);
     rings = contours_to_rings(graph, selection, linked);
   }
 
-  control.checkpoint(Stage::assemble, 0);
+  poll();
+  const Share share(Stage::assemble, nest_share);
   const StageClock clock(control, statistics, Stage::assemble);
   Nesting nesting = nest(graph, selection, linked, rings);
   return {std::move(rings), std::move(nesting)};
@@ -104,7 +111,8 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
   auto [rings, nesting] = outline(std::move(strands), operation, options, control, statistics);
 
   // 6. assemble
-  control.checkpoint(Stage::assemble, 0);
+  poll();
+  const Share share(Stage::assemble, 1);
   const StageClock clock(control, statistics, Stage::assemble);
   const bool touches =
       std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
@@ -163,22 +171,28 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   Array<Statistics> done(parts.size());
   Array<RegionSet> regions(parts.size());
   std::atomic<bool> touches = false;
-  std::atomic<std::size_t> finished = 0;
+  const auto vertices = static_cast<double>(strands.points.size());
   Batches batches(std::move(strands), parts);
-  for_ranges(parts.size(), 1, [&](std::size_t i, std::size_t past) {
-    for (; i < past; ++i) {
-      // A thread that waits inside a part must not begin another one there: waits would nest.
-      isolated([&] {
-        PipelineResult result = overlay_strands(batches.take(i), operation, options, control, done[i]);
-        regions[i] = std::move(result.regions);
-        if (result.touches) touches = true;
-      });
-      const auto count = static_cast<double>(++finished);
-      control.checkpoint(Stage::node, count / static_cast<double>(parts.size()));
-    }
-  });
+  {
+    const Share all(Stage::node, parts_share);
+    Share* const share_of_all = Share::current();
+    const NoShare by_vertices;  // and not by the loop
+    for_ranges(parts.size(), 1, [&](std::size_t i, std::size_t past) {
+      for (; i < past; ++i) {
+        // A thread that waits inside a part must not begin another one there: waits would nest.
+        isolated([&] {
+          noding::Strands part = batches.take(i);
+          const Share share(share_of_all, static_cast<double>(part.points.size()) / vertices);
+          PipelineResult result = overlay_strands(std::move(part), operation, options, control, done[i]);
+          regions[i] = std::move(result.regions);
+          if (result.touches) touches = true;
+        });
+      }
+    });
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   add_parts(done, elapsed.count(), statistics);
+  const Share share(Stage::assemble, 1);
   const StageClock clock(control, statistics, Stage::assemble);
   return {join(std::move(regions)), touches};
 }
@@ -188,12 +202,17 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
 PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
                             Control& control, Statistics& statistics) {
   // 1. collect
-  noding::Strands strands = collect(a, b, options, control, statistics);
+  noding::Strands strands;
+  {
+    const Share share(Stage::collect, collect_share);
+    strands = collect(a, b, options, control, statistics);
+  }
 
   // 2 to 6, part by part; a small call as it is
   if (!worth_dividing(strands)) return overlay_strands(std::move(strands), operation, options, control, statistics);
   IndependentParts parts;
   {
+    const Share share(Stage::collect, parting_share);
     const StageClock clock(control, statistics, Stage::collect);
     const bool both = operation == Operation::intersection;
     parts = independent_parts(strands, {both || operation == Operation::difference, both});

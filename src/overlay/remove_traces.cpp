@@ -5,6 +5,7 @@
 // holds, and no vertex stays that could go.
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 #include "overlay/retry_traces.h"
 #include "overlay/rings.h"
@@ -28,7 +29,9 @@ struct Ends {
 
 /// Rule 1 of trace_spans.h.
 void refuse_where_vertices_lie_between(const TraceSpans& spans, const Array<NearVertex>& near, Array<bool>& refused) {
+  Steps steps(near.size());
   for (const NearVertex& n : near) {
+    steps();
     if (refused[n.span]) continue;
     const TraceSpan& span = spans.spans[n.span];
     refused[n.span] = is_between(spans.point(span, 0), spans.point(span, span.count + 1), spans.point(span, n.piece),
@@ -47,14 +50,16 @@ void refuse_where_ends_are_shared(const TraceSpans& spans, Array<bool>& refused)
     const TraceSpan& span = spans.spans[s];
     chords.push_back({{spans.point(span, 0), spans.point(span, span.count + 1)}, s});
   }
-  std::sort(chords.begin(), chords.end(), [](const Chord& p, const Chord& q) { return p.ends < q.ends; });
+  parallel_sort(chords.begin(), chords.end(), [](const Chord& p, const Chord& q) { return p.ends < q.ends; });
   for (std::size_t i = 1; i < chords.size(); ++i)
     if (chords[i].ends == chords[i - 1].ends) refused[chords[i].span] = refused[chords[i - 1].span] = true;
 
   // An edge that has both ends of a chord begins at an end of the chord.
   const Rings& rings = spans.rings;
+  Steps steps(rings.points.size());
   for (std::size_t r = 0; r < rings.size(); ++r) {
     for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
+      steps();
       const Ends edge(rings.points[v], rings.points[rings.after(r, v)]);
       const auto less = [](const Chord& chord, const Ends& ends) { return chord.ends < ends; };
       for (auto it = std::lower_bound(chords.begin(), chords.end(), edge, less); it != chords.end() && it->ends == edge;

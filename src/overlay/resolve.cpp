@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/call.h"
 #include "memory/call_memory.h"
 #include "overlay/pipeline.h"
 
@@ -30,9 +31,13 @@ Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tang
   Strands result;
   result.parity = strands.parity;
   result.points.reserve(strands.points.size());
+  Steps steps(strands.size());
   for (std::uint32_t s = 0; s < strands.size(); ++s) {
     const auto ring = std::span(strands.points).subspan(strands.begin(s), strands.ends[s] - strands.begin(s));
+    steps();
     if (std::binary_search(tangled.begin(), tangled.end(), s)) {
+      poll();
+      const Share share(static_cast<double>(ring.size()) / static_cast<double>(strands.points.size()));
       const std::uint32_t end = static_cast<std::uint32_t>(ring.size() - 1);  // not its closing point
       // It came in turned as its smallest vertex says; what comes back runs counter-clockwise.
       const noding::Winding change = strands.change[s];

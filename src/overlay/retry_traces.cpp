@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "base/parallel.h"
 #include "noding/along.h"
 #include "noding/monotone_runs.h"
 
@@ -32,7 +33,9 @@ class Retry {
 
   void run() {
     for (const SpanMember& member : spans_.members) push(member.vertex);
+    Steps steps;
     while (!queue_.empty()) {
+      steps();
       const Candidate candidate = queue_.top();
       queue_.pop();
       const std::uint32_t v = candidate.vertex;
@@ -77,7 +80,7 @@ class Retry {
   void find_touches() {
     for (std::uint32_t v = 0; v < rings_.points.size(); ++v)
       if (rings_.flags[v] & touch_vertex) touches_.push_back(v);
-    std::sort(touches_.begin(), touches_.end(), [&](std::uint32_t v, std::uint32_t w) { return less(v, w); });
+    parallel_sort(touches_.begin(), touches_.end(), [&](std::uint32_t v, std::uint32_t w) { return less(v, w); });
   }
 
   bool less(std::uint32_t v, std::uint32_t w) const {
@@ -88,7 +91,7 @@ class Retry {
   void sort_near(const Array<bool>& refused, const Array<NearVertex>& near) {
     for (const NearVertex& n : near)
       if (refused[n.span] && !gone_[n.vertex]) near_.push_back(n);
-    std::sort(near_.begin(), near_.end(), [&](const NearVertex& p, const NearVertex& q) {
+    parallel_sort(near_.begin(), near_.end(), [&](const NearVertex& p, const NearVertex& q) {
       if (p.span != q.span) return p.span < q.span;
       const TraceSpan& span = spans_.spans[p.span];
       const noding::Along along(spans_.point(span, 0), spans_.point(span, span.count + 1));
@@ -97,7 +100,7 @@ class Retry {
     by_vertex_.reserve(near_.size());
     for (std::uint32_t i = 0; i < near_.size(); ++i)
       if (is_candidate(near_[i].vertex)) by_vertex_.push_back(i);
-    std::sort(by_vertex_.begin(), by_vertex_.end(), [&](std::uint32_t i, std::uint32_t j) {
+    parallel_sort(by_vertex_.begin(), by_vertex_.end(), [&](std::uint32_t i, std::uint32_t j) {
       return near_[i].vertex != near_[j].vertex ? near_[i].vertex < near_[j].vertex : i < j;
     });
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 
+#include "base/parallel.h"
 #include "exact/orientation.h"
 #include "noding/along.h"
 #include "noding/pair_finder.h"
@@ -65,9 +66,12 @@ class NearVertexFinder {
     LargeArray<Run> runs = chords();
     if (runs.empty()) return {};
     add_vertices(runs);
-    const noding::PairVisitor visit = [&](std::span<const noding::RunPair> pairs) { look_at(pairs); };
+    const noding::PairVisitor visit = [&](std::span<const noding::RunPair> pairs) {
+      poll();
+      look_at(pairs);
+    };
     noding::find_pairs(ends_, std::move(runs), visit, noding::PairGoal::meetings, {reach_, {}});
-    std::sort(found_.begin(), found_.end());
+    parallel_sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return std::move(found_);
   }
@@ -83,7 +87,9 @@ class NearVertexFinder {
 
   LargeArray<Run> chords() {
     LargeArray<Run> runs;
+    Steps steps(spans_.spans.size());
     for (std::uint32_t s = 0; s < spans_.spans.size(); ++s) {
+      steps();
       const TraceSpan& span = spans_.spans[s];
       if (!span.is_monotone) continue;
       strips_.push_back(strip_of(spans_, span));
@@ -159,6 +165,7 @@ bool is_monotone(const TraceSpans& spans, const TraceSpan& span) {
 TraceSpans::TraceSpans(const Rings& all) : rings(all) {
   if (rings.trace_edges.empty()) return;
   const auto is_trace = [&](std::uint32_t v) { return (rings.flags[v] & trace_vertex) != 0; };
+  Steps steps(rings.points.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) {
     const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
     std::uint32_t start = begin;
@@ -168,13 +175,14 @@ TraceSpans::TraceSpans(const Rings& all) : rings(all) {
     for (std::uint32_t v = start;;) {
       std::uint32_t count = 0, w = rings.after(r, v);
       for (; w != start && is_trace(w); w = rings.after(r, w)) ++count;
+      steps();
       if (count > 0) add_run(r, v, count);
       if (w == start) break;
       v = w;
     }
   }
   for (TraceSpan& span : spans) span.is_monotone = is_monotone(*this, span);
-  std::sort(members.begin(), members.end(), [](const SpanMember& p, const SpanMember& q) {
+  parallel_sort(members.begin(), members.end(), [](const SpanMember& p, const SpanMember& q) {
     return p.vertex != q.vertex ? p.vertex < q.vertex : p.edge < q.edge;
   });
 }

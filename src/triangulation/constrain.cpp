@@ -2,6 +2,7 @@
 
 #include <oblast/error.h>
 
+#include "base/call.h"
 #include "exact/orientation.h"
 #include "triangulation/flip.h"
 #include "triangulation/pocket.h"
@@ -21,17 +22,24 @@ class Constraining {
   std::vector<HalfEdge> run() {
     std::vector<HalfEdge> sides(constraints_.size());
     std::vector<std::uint32_t> missing;
+    Steps steps(constraints_.size());
     for (std::uint32_t k = 0; k < constraints_.size(); ++k) {
+      steps();
       sides[k] = find(constraints_[k]);
       if (sides[k] == no_index)
         missing.push_back(k);
       else
         mark(sides[k]);
     }
-    for (const std::uint32_t k : missing) insert(constraints_[k]);
+    for (const std::uint32_t k : missing) {
+      poll();
+      insert(constraints_[k]);
+    }
     // Pockets and flips may have moved sides that were found before.
-    for (std::uint32_t k = 0; k < constraints_.size(); ++k)
+    for (std::uint32_t k = 0; k < constraints_.size(); ++k) {
+      steps();
       if (!is_at(sides[k], constraints_[k])) sides[k] = find(constraints_[k]);
+    }
     return sides;
   }
 

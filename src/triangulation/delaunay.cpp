@@ -4,6 +4,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
 #include "memory/large_pages.h"
@@ -27,7 +28,11 @@ class Insertion {
   Mesh run() {
     resize_in_large_pages(mesh_.vertex_of, order_.size());
     if (first_triangle()) {
-      for (std::uint32_t i = 3; i < order_.size(); ++i) insert(i);
+      Steps steps(order_.size());
+      for (std::uint32_t i = 3; i < order_.size(); ++i) {
+        steps();
+        insert(i);
+      }
     } else {
       number_collinear_points();
     }
@@ -78,8 +83,8 @@ class Insertion {
     std::vector<std::uint32_t> along(order_.size());
     std::iota(along.begin(), along.end(), 0U);
     const std::vector<Point> points = mesh_.points;
-    std::sort(along.begin(), along.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(points[i], points[j]); });
+    parallel_sort(along.begin(), along.end(),
+                  [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(points[i], points[j]); });
     for (const std::uint32_t i : along) {
       if (vertices_ == 0 || mesh_.points[vertices_ - 1] != points[i]) mesh_.points[vertices_++] = points[i];
       mesh_.vertex_of[order_[i]] = vertices_ - 1;
@@ -170,6 +175,7 @@ class Insertion {
   void flip_illegal(std::uint32_t p) {
     std::uint32_t t = 0;
     while (!suspects_.empty()) {
+      flips_();
       t = suspects_.back();
       suspects_.pop_back();
       for (;;) {
@@ -217,6 +223,7 @@ class Insertion {
   std::uint32_t vertices_ = 0;
   std::vector<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
   std::uint32_t last_ = 0;               ///< where the next walk begins
+  Steps flips_;
 };
 
 }  // namespace

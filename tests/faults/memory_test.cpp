@@ -9,7 +9,9 @@
 #include <tbb/task_arena.h>
 
 #include "faults/every_allocation.h"
+#include "faults/inputs.h"
 #include "generators/hostile.h"
+#include "generators/random.h"
 
 namespace oblast::testing {
 namespace {
@@ -82,26 +84,45 @@ TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
   fail_every_allocation_of([&] { return triangulate(soup).triangles.size(); });
 }
 
-// Which allocation fails differs from run to run here. Large enough for all threads to have something to do.
-TEST(OutOfMemory, inAnyThreadLeavesNothingBehind) {
-  const generators::Operands operands = generators::coverages(3, 20000);
-  Options options;
-  options.threads = 2;
-  const auto call = [&] { return overlay(operands.a, operands.b, Operation::intersection, options); };
-  const RegionSet expected = call();
-  const std::int64_t before = live_blocks();
-  int thrown = 0;
-  for (std::uint64_t number = 1; number < 4000; number += 1 + number / 4) {
-    try {
-      const FailingAllocation failing(number);
+// Which allocation fails differs from run to run here.
+TEST_P(OutOfMemory, inAnyThreadLeavesNothingBehind) {
+  generators::Random random(4);
+  constexpr Operation operations[] = {Operation::symmetric_difference, Operation::intersection, Operation::unite,
+                                      Operation::difference};
+  std::size_t next_operation = 0;
+  for (const auto& [name, operands] : threshold_inputs(usual_scale)) {
+    for (const int threads : {2, 8}) {
+      const Operation operation = operations[next_operation++ % std::size(operations)];
+      SCOPED_TRACE(name + ", operation " + std::to_string(static_cast<int>(operation)) + ", " +
+                   std::to_string(threads) + " threads");
+      Options options;
+      options.engine = GetParam();
+      options.threads = threads;
+      const auto call = [&] { return overlay(operands.a, operands.b, operation, options); };
+      const RegionSet expected = call();
+      std::uint64_t allocations = 0;
+      {
+        const FailingAllocation none(std::uint64_t(-1));
+        call();
+        allocations = none.count();
+      }
+      const std::int64_t before = live_blocks();
+      int thrown = 0;
+      for (int trial = 0; trial < 8; ++trial) {
+        // The first ones are of other kinds than those of loops later on.
+        const auto number = 1 + random.next() % (trial < 3 ? std::min<std::uint64_t>(allocations, 60) : allocations);
+        try {
+          const FailingAllocation failing(number);
+          EXPECT_EQ(call(), expected);
+        } catch (const std::bad_alloc&) {
+          ++thrown;
+        }
+      }
+      EXPECT_GT(thrown, 0);
       EXPECT_EQ(call(), expected);
-    } catch (const std::bad_alloc&) {
-      ++thrown;
+      EXPECT_EQ(live_blocks(), before);
     }
   }
-  EXPECT_GT(thrown, 5);
-  EXPECT_EQ(call(), expected);
-  EXPECT_EQ(live_blocks(), before);
 }
 
 }  // namespace

@@ -152,7 +152,9 @@ class Labelling {
     Array<Point> smallest;
     outside.reserve(count);
     smallest.reserve(count);
+    Steps steps(count);
     for (Component& c : components_) {
+      steps();
       outside.push_back(look_outside(c));
       smallest.push_back(outside.back().p);
     }
@@ -165,8 +167,8 @@ class Labelling {
     Array<std::uint32_t> asking;
     for (std::uint32_t i = 0; i < count; ++i)
       if (enclosure.enclosed[i]) asking.push_back(i);
-    std::sort(asking.begin(), asking.end(),
-              [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(smallest[i], smallest[j]); });
+    parallel_sort(asking.begin(), asking.end(),
+                  [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(smallest[i], smallest[j]); });
     Array<BelowQuery> queries;
     queries.reserve(asking.size());
     for (const std::uint32_t i : asking) queries.push_back(outside[i]);

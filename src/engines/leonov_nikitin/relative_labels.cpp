@@ -148,9 +148,12 @@ void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, c
                  std::uint32_t piece_count, RelativeLabels& labels) {
   const auto piece_of = [&](std::uint32_t node) { return labels.component[node] + first_piece[node / range_size]; };
   PieceSets sets(piece_count);
+  Steps steps;
   for (std::size_t range = 0; range < borders.size(); ++range)
-    for (const Border& b : borders[range])
+    for (const Border& b : borders[range]) {
+      steps();
       sets.unite(piece_of(graph.chains[b.chain].from), b.piece + first_piece[range], labels.right[b.chain] - b.right);
+    }
 
   struct Place {
     std::uint32_t component;

@@ -1,5 +1,6 @@
 #include "engines/skvortsov/classify.h"
 
+#include "base/call.h"
 #include "overlay/select.h"
 
 namespace oblast::skvortsov {
@@ -47,6 +48,7 @@ class Eating {
     result_.face[seed] = face;
     pending_.push_back(seed);
     while (!pending_.empty()) {
+      steps_();
       const std::uint32_t t = pending_.back();
       pending_.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i) {
@@ -67,6 +69,7 @@ class Eating {
   const MarkedMesh& marked_;
   Classification result_;
   std::vector<std::uint32_t> pending_;
+  Steps steps_;
   std::vector<HalfEdge> border_;  ///< marked sides whose left has been eaten and whose right has not
 };
 

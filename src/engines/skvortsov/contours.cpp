@@ -1,5 +1,6 @@
 #include "engines/skvortsov/contours.h"
 
+#include "base/call.h"
 #include "exact/orientation.h"
 
 namespace oblast::skvortsov {
@@ -38,6 +39,7 @@ class Walking {
     polygon_[seed] = polygon;
     pending_.push_back(seed);
     while (!pending_.empty()) {
+      steps_();
       const std::uint32_t t = pending_.back();
       pending_.pop_back();
       for (const HalfEdge twin : mesh_.triangles[t].twin) {
@@ -60,6 +62,7 @@ class Walking {
     const std::uint32_t polygon = polygon_[triangle_of(first)];
     HalfEdge h = first;
     do {
+      steps_();
       walked_[h] = true;
       const std::uint32_t v = mesh_.origin(h);
       if (parts_walks_) part_at(v, polygon);
@@ -111,6 +114,7 @@ class Walking {
   std::vector<std::uint32_t> polygon_;  ///< by triangle
   std::vector<bool> walked_;            ///< by half-edge
   std::vector<std::uint32_t> pending_;
+  Steps steps_;
   std::vector<std::uint32_t> path_;           ///< vertices of the walk, as far as no contour was parted off
   std::vector<std::uint32_t> place_on_path_;  ///< by vertex
   Contours contours_;

@@ -1,8 +1,10 @@
 #include "engines/skvortsov/extract.h"
 
+#include "base/call.h"
 #include "engines/skvortsov/classify.h"
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
+#include "overlay/stage_shares.h"
 
 namespace oblast::skvortsov {
 namespace {
@@ -49,18 +51,20 @@ Extracted extract(const ChainGraph& graph, Operation operation, const Options& o
   Classification classes;
   {
     const StageClock clock(control, statistics, Stage::label);
-    control.checkpoint(Stage::label, 0);
+    poll();
+    const Share share(Stage::label, label_share);
     marked = mark_mesh(graph);
-    control.checkpoint(Stage::label, 0.8);
     classes = classify(graph, marked);
   }
-  control.checkpoint(Stage::select, 0);
+  poll();
   Kept kept;
   {
+    const Share share(Stage::select, select_share);
     const StageClock clock(control, statistics, Stage::select);
     kept = kept_triangles(classes, select_faces(classes, operation, options));
   }
-  control.checkpoint(Stage::link, 0);
+  poll();
+  const Share share(Stage::link, link_share);
   const StageClock clock(control, statistics, Stage::link);
   Contours contours = walk_contours(marked.mesh, kept, options.contours);
   Rings rings = rings_of(marked, contours, classify_nodes(graph, selection_of(graph, marked, kept)));

@@ -2,6 +2,7 @@
 
 #include <oblast/error.h>
 
+#include "base/call.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 
@@ -23,8 +24,11 @@ class SideCollector {
   explicit SideCollector(const ChainGraph& graph) : graph_(graph), point_of_node_(graph.node_count(), none) {}
 
   Sides run() {
-    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c)
+    Steps steps(graph_.chains.size());
+    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
+      steps();
       if (graph_.is_live(c)) add_chain(c);
+    }
     return std::move(sides_);
   }
 
@@ -77,7 +81,9 @@ MarkedMesh mark_mesh(const ChainGraph& graph) {
 
   for (Constraint& edge : sides.edges) edge = {marked.mesh.vertex_of[edge.from], marked.mesh.vertex_of[edge.to]};
   const std::vector<HalfEdge> half_edges = constrain(marked.mesh, sides.edges);
+  Steps steps(half_edges.size());
   for (std::size_t k = 0; k < half_edges.size(); ++k) {
+    steps();
     const std::uint32_t chain = sides.chain[k];
     marked.mark[half_edges[k]] = forward(chain);
     marked.mark[marked.mesh.twin(half_edges[k])] = opposite(forward(chain));

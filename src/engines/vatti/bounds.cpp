@@ -104,7 +104,11 @@ std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_o
 
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains) {
   Finder found(graph, chains.size());
-  for (const std::uint32_t c : chains) found.add(c);
+  Steps steps(chains.size());
+  for (const std::uint32_t c : chains) {
+    steps();
+    found.add(c);
+  }
   std::vector<std::uint32_t> place_of;
   Bounds result;
   result.stops = order_stops(found, place_of);

@@ -7,6 +7,7 @@
 //        `under`
 #include "engines/vatti/label.h"
 
+#include "base/call.h"
 #include "engines/vatti/active_edges.h"
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
@@ -23,7 +24,11 @@ class Scan {
         active_(graph.strands.points) {}
 
   void run() {
-    for (std::uint32_t stop = 0; stop < bounds_.stop_count(); ++stop) pass(stop);
+    Steps steps(bounds_.stop_count());
+    for (std::uint32_t stop = 0; stop < bounds_.stop_count(); ++stop) {
+      steps();
+      pass(stop);
+    }
   }
 
  private:

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/call.h"
+#include "base/tuning.h"
 #include "engines/vatti/contour_trees.h"
 #include "engines/vatti/interiors_overlap.h"
 #include "engines/vatti/raster_pyramid.h"
@@ -31,8 +33,11 @@ class FirstFit {
   }
 
   Layers run() {
-    for (std::uint32_t c = 0; c < contours_.size(); ++c)
+    Steps steps(contours_.size(), tuning::contours_a_poll);
+    for (std::uint32_t c = 0; c < contours_.size(); ++c) {
+      steps();
       if (contours_.has_interior(c)) place(c);
+    }
     return std::move(result_);
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/call.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "overlay/disjoint_sets.h"
@@ -115,7 +116,9 @@ std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<cons
     if (!graph.chains[c].is_loop()) components.unite(graph.chains[c].from, graph.chains[c].to);
   std::vector<Extent> extents(graph.node_count());
   Extent whole;
+  Steps steps(chains.size());
   for (const std::uint32_t c : chains) {
+    steps();
     const Chain& chain = graph.chains[c];
     if (chain.is_loop()) extents.emplace_back();
     Extent& extent = chain.is_loop() ? extents.back() : extents[components.find(chain.from)];
@@ -131,6 +134,7 @@ std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<cons
   std::vector<std::uint32_t> active;
   auto extent_of_loop = extents.begin() + static_cast<std::ptrdiff_t>(graph.node_count());
   for (const std::uint32_t c : chains) {
+    steps();
     const Chain& chain = graph.chains[c];
     const bool passive = chain.is_loop() && raster.is_alone(raster.cells(*extent_of_loop++));
     if (!passive)
