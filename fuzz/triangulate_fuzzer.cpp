@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   };
   TriangulateOptions options;
   options.extent = TriangleExtent::convex_hull;
-  options.unite.fill_a = input.request.fill_a;
+  options.fill_a = input.request.fill_a;
   const Triangulation whole = triangulate(input.operands.a, options);
   const auto fault = testing::check_triangulation(whole);
   expect(!fault, fault.value_or(""));

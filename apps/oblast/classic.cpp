@@ -7,6 +7,7 @@
 
 #include "io/picture.h"
 #include "io/write.h"
+#include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 #include "oblast/methods.h"
@@ -35,6 +36,7 @@ struct Arguments {
   Operation operation = Operation::intersection;
   std::string a, b, output, picture;
   bool overwrite = false, quiet = false;
+  CallOptions options;
 };
 
 void report(const Arguments& arguments, const RegionSet& result, const ClassicReport& done, double seconds, bool json) {
@@ -72,7 +74,7 @@ int run(const Arguments& arguments, bool json) {
   RegionSet result;
   const auto begin = std::chrono::steady_clock::now();
   try {
-    result = classic(arguments.method, pair.a.regions, pair.b.regions, arguments.operation, &done);
+    result = classic(arguments.method, pair.a.regions, pair.b.regions, arguments.operation, &done, arguments.options);
   } catch (const Error& error) {
     throw io::IoError(describe(pair, error));
   }
@@ -121,6 +123,7 @@ void add_classic(CLI::App& program, Invocation& invocation) {
   command->add_option("-o,--output", a->output, "where the result goes; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
+  add_call_options(*command, a->options);
   command->add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
   command->add_flag("--overwrite", a->overwrite, "replace existing files");
   command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");

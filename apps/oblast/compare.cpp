@@ -6,6 +6,7 @@
 #include "io/picture.h"
 #include "io/staged_output.h"
 #include "io/write_text.h"
+#include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/comparison.h"
 #include "oblast/names.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string a, b, picture;
   Operation operation = Operation::intersection;
   bool overwrite = false;
+  CallOptions options;
 };
 
 int run(const Arguments& arguments, bool json) {
@@ -34,7 +36,7 @@ int run(const Arguments& arguments, bool json) {
   const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
   const OperandPair pair = read_pair(arguments.a, arguments.b);
-  const std::vector<Row> rows = compare_methods(pair, arguments.operation);
+  const std::vector<Row> rows = compare_methods(pair, arguments.operation, arguments.options);
   if (!arguments.picture.empty()) {
     io::StagedOutput output(arguments.picture, {});
     io::write_text(output.path(), draw(rows, pair, arguments.operation), arguments.picture);
@@ -70,6 +72,7 @@ void add_compare(CLI::App& program, Invocation& invocation) {
           "--op", [a](const std::string& word) { a->operation = parse_operation(word); },
           "intersection (default), union, difference or symdifference")
       ->type_name("OP");
+  add_call_options(*command, a->options);
   command->add_option("--svg", a->picture, "draw one panel a method")->type_name("PICTURE.svg");
   command->add_flag("--overwrite", a->overwrite, "replace an existing picture");
   command->add_flag("--json", invocation.json, "one object on standard output instead of the table");

@@ -15,23 +15,25 @@ namespace {
 constexpr double enough_seconds = 0.3;
 constexpr int most_runs = 20;
 
-RegionSet run_once(const Method& method, const OperandPair& pair, Operation operation, Row& row) {
+RegionSet run_once(const Method& method, const OperandPair& pair, Operation operation, const CallOptions& call,
+                   Row& row) {
   if (!method.classic) {
     Statistics statistics;
     Options options;
+    static_cast<CallOptions&>(options) = call;
     options.engine = method.engine;
     options.statistics = &statistics;  // so that the engine itself is measured, not a fast path of `overlay`
     return overlay(pair.a.regions, pair.b.regions, operation, options);
   }
   ClassicReport report;
-  RegionSet result = classic(*method.classic, pair.a.regions, pair.b.regions, operation, &report);
+  RegionSet result = classic(*method.classic, pair.a.regions, pair.b.regions, operation, &report, call);
   row.handed_over = report.handed_over;
   return result;
 }
 
 }  // namespace
 
-std::vector<Row> compare_methods(const OperandPair& pair, Operation operation) {
+std::vector<Row> compare_methods(const OperandPair& pair, Operation operation, const CallOptions& call) {
   std::vector<Row> rows;
   for (const Method& method : methods()) {
     Row& row = rows.emplace_back();
@@ -40,7 +42,7 @@ std::vector<Row> compare_methods(const OperandPair& pair, Operation operation) {
       double total = 0;
       for (int run = 0; run < most_runs && total < enough_seconds; ++run) {
         const auto begin = std::chrono::steady_clock::now();
-        row.result = run_once(method, pair, operation, row);
+        row.result = run_once(method, pair, operation, call, row);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
         row.seconds = run == 0 ? spent.count() : std::min(row.seconds, spent.count());
         total += spent.count();

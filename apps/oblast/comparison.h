@@ -22,7 +22,7 @@ struct Row {
 };
 
 /// Every method, the default engine first.
-std::vector<Row> compare_methods(const OperandPair& pair, Operation operation);
+std::vector<Row> compare_methods(const OperandPair& pair, Operation operation, const CallOptions& call);
 
 std::string to_text(const std::vector<Row>& rows);
 nlohmann::ordered_json to_json(const std::vector<Row>& rows);

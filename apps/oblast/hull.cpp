@@ -7,6 +7,7 @@
 
 #include "io/read.h"
 #include "io/write.h"
+#include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 
@@ -25,6 +26,7 @@ struct Arguments {
   std::vector<std::string> inputs;
   std::string output;
   bool overwrite = false, quiet = false;
+  CallOptions options;
 };
 
 int run(const Arguments& arguments, bool json) {
@@ -35,7 +37,7 @@ int run(const Arguments& arguments, bool json) {
   const io::Layer layer = io::read(arguments.inputs);
   RegionSet result;
   try {
-    result = hull(RegionView(layer.regions));
+    result = hull(RegionView(layer.regions), arguments.options);
   } catch (const Error& error) {
     if (error.place().contour == Place::npos) throw;
     throw io::IoError(fmt::format("{}: {}", io::describe(layer, error.place()), error.what()));
@@ -68,6 +70,7 @@ void add_hull(CLI::App& program, Invocation& invocation) {
   command->add_option("-o,--output", a->output, "where the hull goes; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
+  add_call_options(*command, a->options);
   command->add_flag("--overwrite", a->overwrite, "replace an existing file");
   command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
   command->add_flag("-q,--quiet", a->quiet, "no summary");

@@ -12,6 +12,7 @@
 #include "io/picture.h"
 #include "io/read.h"
 #include "io/write.h"
+#include "oblast/call_options.h"
 #include "oblast/console.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
@@ -151,9 +152,7 @@ void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& inv
           "ogc (default) or leonov-nikitin: contours that touch themselves")
       ->type_name("CONVENTION");
   command.add_flag("--minimal", a->minimal, "leave out vertices exactly on a line between their neighbours");
-  command.add_option("--threads", a->options.threads, "0 (default): all cores; the result is the same")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
+  add_call_options(command, a->options);
   command.add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
   command.add_flag("--overwrite", a->overwrite, "replace existing files");
   command.add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");

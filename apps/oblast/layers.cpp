@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read.h"
+#include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 #include "oblast/names.h"
@@ -83,7 +84,7 @@ Row measure(const std::string& name, const Group& group, const Arguments& argume
   const auto since = [](Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); };
   Row row{name, group.files, group.contours.contour_ends.size(), group.contours.points.size(), 0, 0, 0, 0, 0};
   auto begin = Clock::now();
-  row.layers = layers(group.contours, arguments.rule).count;
+  row.layers = layers(group.contours, arguments.rule, arguments.options).count;
   row.layers_seconds = since(begin);
   begin = Clock::now();
   const RegionSet result = unite(group.contours, arguments.options);
@@ -168,9 +169,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
           "of the union: vatti (default, the paper's), leonov-nikitin or skvortsov")
       ->type_name("ENGINE");
-  command->add_option("--threads", a->options.threads, "0 (default): all cores")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
+  add_call_options(*command, a->options);
   command->add_flag("--json", invocation.json, "one object on standard output instead of the table");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
 }

@@ -8,6 +8,7 @@
 
 #include "io/read.h"
 #include "io/write.h"
+#include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 #include "oblast/interrupt.h"
@@ -50,7 +51,7 @@ RegionSet polygons_of(const Triangulation& triangulation) {
 
 Triangulation compute(const io::Layer& layer, TriangulateOptions options, ProgressLine& progress) {
   const InterruptFlag watch;
-  options.unite.progress = [&](Stage stage, double fraction) {
+  options.progress = [&](Stage stage, double fraction) {
     progress.show(name(stage), fraction);
     return !interrupted();
   };
@@ -118,13 +119,11 @@ void add_triangulate(CLI::App& program, Invocation& invocation) {
       ->type_name("OUT");
   command
       ->add_option_function<std::string>(
-          "--fill", [a](const std::string& word) { a->options.unite.fill_a = parse_fill(word); },
+          "--fill", [a](const std::string& word) { a->options.fill_a = parse_fill(word); },
           "what is inside: polygons (default), atleast:K, evenodd, nonzero, positive or negative")
       ->type_name("RULE");
   command->add_flag("--hull", a->hull, "also the triangles outside, up to the convex hull");
-  command->add_option("--threads", a->options.unite.threads, "0 (default): all cores; the result is the same")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N");
+  add_call_options(*command, a->options);
   command->add_flag("--overwrite", a->overwrite, "replace existing files");
   command->add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");
   command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");

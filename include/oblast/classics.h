@@ -32,7 +32,8 @@ struct ClassicReport {
 /// Domain: each operand one convex contour, either direction, straight vertices allowed; intersection,
 /// union, difference. Cost: at most 2(n1 + n2) advances, O(n1 + n2) time, and O(k log k) to order k meetings.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr);
+RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr,
+                  const CallOptions& options = {});
 
 /// Sutherland and Hodgman 1974: `subject` clipped to a convex window; intersection only.
 /// Domain: the window is one convex contour of m sides; the subject is one general polygon, that is, any
@@ -40,7 +41,8 @@ RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
 /// crosses itself in the subject is resolved first, since a result must be closed.
 /// Cost: O(m n log n) worst, O(m n) where few edges cross the window; O(n log n) to see that the subject is simple.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window, ClassicReport* report = nullptr);
+RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window, ClassicReport* report = nullptr,
+                             const CallOptions& options = {});
 
 /// Weiler and Atherton 1977: regular polygons with oriented contours; holes allowed.
 /// Domain: in each operand edges meet at their ends only, and the interior is on one and the same side
@@ -48,26 +50,26 @@ RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window
 /// they are grouped into polygons. Intersection, union, difference. Cost: O((n + k) log n), k meetings.
 /// Throws Error: precondition, and as `overlay`.
 RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation,
-                          ClassicReport* report = nullptr);
+                          ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// Margalit and Knott 1989: vertex-complete polygons.
 /// Domain: each operand one contour, either direction, any two edges of which are disjoint, or meet at
 /// their ends only, or coincide: keyholes and figures of eight are admitted. Read by even-odd.
 /// Intersection, union, difference. Cost: O((n + k) log n): the improvement Table 1 calls theoretical.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation,
-                         ClassicReport* report = nullptr);
+RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr,
+                         const CallOptions& options = {});
 
 /// One of the above by its name. Throws Error(precondition) for an operation the method does not have.
 RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
-                  ClassicReport* report = nullptr);
+                  ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// A convex window prepared once, to clip millions of polygons. Most of a subject needs a look at its boxes only, so
 /// the cost is that of what comes near the window. May be used from several threads at once.
 class ClipWindow {
  public:
   /// The contour of `window`. Domain and errors as the window of `sutherland_hodgman`.
-  explicit ClipWindow(const RegionView& window);
+  explicit ClipWindow(const RegionView& window, const CallOptions& options = {});
   /// REQUIRES: x0 < x1, y0 < y1; else throws Error(precondition).
   ClipWindow(double x0, double y0, double x1, double y1);
   ~ClipWindow();
@@ -77,7 +79,7 @@ class ClipWindow {
   /// overlay(subject, window, Operation::intersection), and its bytes, for any subject; `overlay` itself takes this way
   /// where it can see at small cost that it may. Cost: O(n + c log c), c edges near the window; that of `overlay` where
   /// the report says that it was handed over: something touches the window or nearly does, or edges meet near it.
-  RegionSet clip(const RegionView& subject, ClassicReport* report = nullptr) const;
+  RegionSet clip(const RegionView& subject, ClassicReport* report = nullptr, const CallOptions& options = {}) const;
 
  private:
   struct Prepared;

@@ -1,4 +1,4 @@
-// The two kinds of failure the library reports: the data is at fault, or the call was cancelled.
+// What the library reports: data or options at fault, a call that was cancelled, one that needs more than it may have.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,12 @@ namespace oblast {
 enum class ErrorCode {
   not_finite,     ///< a coordinate is NaN or infinite
   out_of_domain,  ///< a coordinate's magnitude is outside the domain (see domain.h)
-  too_large,      ///< more than 2^31 - 1 vertices in one call
+  too_large,      ///< more than 2^31 - 1 vertices in one call or its result, or more crossings than have 32-bit indices
   bad_offsets,    ///< contour_ends or polygon_ends decrease or run past the end
   bad_option,     ///< an option contradicts another or is out of range
   precondition,   ///< the input is outside the stated domain of a classic method
   cancelled,      ///< the caller's callback asked to stop
+  memory_limit,   ///< the call needs more memory than CallOptions::most_bytes
 };
 
 /// Where in the input an error is: indices into the arrays of the operand. `npos` where it does not apply.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/options.h>
 #include <oblast/region_set.h>
 
 #include <span>
@@ -16,13 +17,14 @@ namespace oblast {
 /// The scan is right for simple contours, in either direction, and its answer is checked in one more pass
 /// over the points, each against the hull's edge above or below it; where a contour is not simple and the scan fell for
 /// it, the hull is taken by the monotone chain (Andrew 1979). So the answer is the hull of the points in any case.
-/// REQUIRES: coordinates in the domain (domain.h). Cost: O(n) for simple contours (the check finds edges by buckets: a
-/// logarithm of the corners in one bucket at worst), O(n log n) otherwise.
-std::vector<Point> hull(std::span<const Point> contour);
+/// Throws Error: not_finite, out_of_domain, too_large, bad_option, cancelled, memory_limit. Cost: O(n) for simple
+/// contours (the check finds edges by buckets: a logarithm of the corners in one bucket at worst), O(n log n)
+/// otherwise.
+std::vector<Point> hull(std::span<const Point> contour, const CallOptions& options = {});
 
 /// The convex hull of all regions as one polygon, empty where they have no area: the hull of the hulls of
 /// all contours. Cost: O(n + h log h), h corners of the contours' hulls together.
-/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets.
-RegionSet hull(const RegionView& regions);
+/// Throws Error: as above, and bad_offsets.
+RegionSet hull(const RegionView& regions, const CallOptions& options = {});
 
 }  // namespace oblast

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/options.h>
 #include <oblast/region_set.h>
 
 #include <cstdint>
@@ -30,7 +31,7 @@ struct Layers {
 /// not looked at: a hole is a contour inside another. Contours without an interior are in layer 0.
 /// Cost: O((n + v) log n + p), n contours, v vertices, p pairs whose boxes overlap, besides the edges of
 /// a pair whose boxes meet; memory O(n + v).
-/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets.
-Layers layers(const RegionView& operand, LayerRule rule = LayerRule::interiors);
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit.
+Layers layers(const RegionView& operand, LayerRule rule = LayerRule::interiors, const CallOptions& options = {});
 
 }  // namespace oblast

@@ -1,6 +1,7 @@
-// What an overlay may be told, and what it reports.
+// What calls may be told, and what an overlay reports.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
@@ -81,23 +82,33 @@ struct Statistics {
 ///
 /// Called from any thread that works for the call, never from two at a time. Returning false cancels the call: it
 /// throws Error(cancelled) within about as long. What it throws ends the call likewise, and comes out as it is. After
-/// either it is not asked again. It may make other calls of the library, but must not wait for its own call.
+/// either it is not asked again. It may make other calls of the library, but must not wait for its own call. It runs in
+/// the caller's own floating-point environment. Functions without stages ask with the one that is most like theirs.
 using Progress = std::function<bool(Stage stage, double fraction)>;
 
-struct Options {
+/// What every call may be told, whatever it computes. None of it makes a difference to the result.
+struct CallOptions {
+  static constexpr int most_threads = 1024;
+
+  int threads = 0;    ///< 1 to most_threads; 0: all cores
+  Progress progress;  ///< empty: nobody is asked
+  /// Memory that calls leave for the next ones (workspace.h), for those who make many; null: they leave none.
+  Workspace* workspace = nullptr;
+  /// The bytes that the call's arrays and its result may take at any moment, else it ends with Error(memory_limit);
+  /// 0: any. What the caller has, what a workspace keeps, stacks and a few small things are not counted.
+  std::size_t most_bytes = 0;
+};
+
+/// What an overlay may be told. Where statistics or progress are asked for, or a rule, the engine or the collinear
+/// vertices are not the default, every call goes through the stages that they tell of; otherwise `overlay` may take a
+/// fast path with the same bytes (docs/methods.md), whatever `contours` and the other options of the call are.
+struct Options : CallOptions {
   FillRule fill_a;  ///< rule of the first (or only) operand
   FillRule fill_b;  ///< rule of the second operand
   Engine engine = Engine::leonov_nikitin;
   ContourConvention contours = ContourConvention::ogc;
   CollinearVertices collinear = CollinearVertices::keep;
-  int threads = 0;  ///< 0: all cores. The result does not depend on it.
-  Progress progress;
-  /// Where statistics or progress are asked for, or any option above is not the default, every call goes through the
-  /// stages they tell of; otherwise `overlay` may take a fast path with the same bytes (docs/methods.md).
-  Statistics* statistics = nullptr;
-  /// Memory that calls leave for the next ones (workspace.h), for those who make many; null: they leave none. Asked for
-  /// by itself it keeps nobody from the fast path.
-  Workspace* workspace = nullptr;
+  Statistics* statistics = nullptr;  ///< filled when the call succeeds
 };
 
 }  // namespace oblast

@@ -12,9 +12,9 @@ namespace oblast {
 /// Any finite input inside the domain is admitted (see RegionView and domain.h). The result is
 /// closed, canonical and bit-preserving: promises G1 to G4, docs/guarantees.md.
 /// Cost: O((n + k) log n) time and O(n + k) memory, n edges and k meetings of edges.
-/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled; std::bad_alloc; and what
-/// Options::progress throws. Whatever is thrown, on whichever thread, it comes out once and as it is, nothing leaks and
-/// the next call is not affected.
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit;
+/// std::bad_alloc; and what Options::progress throws. Whatever is thrown, on whichever thread, it comes out once and as
+/// it is, nothing leaks and the next call is not affected.
 ///
 /// Calls may run side by side on any threads, on the same input too, as long as nobody writes to it. With
 /// Options::threads 0 a call takes part in the caller's oneTBB arena; it may be made from within his own tasks, also

@@ -61,7 +61,8 @@ struct RegionSet {
 /// Signed area enclosed by the contours as they are directed (counter-clockwise is positive), in
 /// squared units of the coordinates. For a result this is the area of its regions. Cost: linear. In doubles: off by at
 /// most 2^-50 of the sum of |dx1 dy2| + |dx2 dy1| over the triangles of each contour's fan from its first vertex, so
-/// the area of slivers alone can come out with either sign.
+/// the area of slivers alone can come out with either sign. Throws Error: not_finite, out_of_domain, too_large,
+/// bad_offsets.
 double signed_area(const RegionView& regions);
 
 }  // namespace oblast

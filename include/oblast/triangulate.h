@@ -25,14 +25,14 @@ enum class TriangleExtent {
 
 /// What is known of the regions to be triangulated.
 enum class TriangleInput {
-  any,     ///< any contours: they are united first, under Options::fill_a
+  any,     ///< any contours: they are united first, as the other options say
   result,  ///< the result of an overlay (promise G2): taken as it is
 };
 
-struct TriangulateOptions {
+/// Those of the union that comes first, of which TriangleInput::result has no use but as CallOptions, and two more.
+struct TriangulateOptions : Options {
   TriangleExtent extent = TriangleExtent::interior;
   TriangleInput input = TriangleInput::any;
-  Options unite;  ///< of the union that comes first (not used for TriangleInput::result)
 };
 
 struct Triangulation {

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "base/control.h"
+#include "base/floating_point.h"
 #include "base/progress.h"
 #include "base/stopped.h"
 #include "base/tuning.h"
@@ -25,6 +26,7 @@ namespace oblast {
 
 class CallMemory;
 class KeptBlocks;
+class MemoryBudget;
 
 class Call {
  public:
@@ -36,8 +38,9 @@ class Call {
   Control* control = nullptr;    ///< null: nobody asks
   KeptBlocks* blocks = nullptr;  ///< of its workspace; null: it has none
   CallMemory* memory =
-      nullptr;    ///< of a small call, which stays on its thread, clear of the scheduler; null: not small
-  int cores = 1;  ///< how many threads may work for it
+      nullptr;  ///< of a small call, which stays on its thread, clear of the scheduler; null: not small
+  MemoryBudget* budget = nullptr;  ///< null: it may have any memory
+  int cores = 1;                   ///< how many threads may work for it
 
   /// The one that this thread works for; null: none.
   static Call* current() { return current_; }
@@ -72,6 +75,7 @@ class Call {
 
  private:
   friend class WorkingFor;
+  friend class WorkingForCaller;
 
   void fail(std::exception_ptr error) noexcept {
     if (!failed_.test_and_set()) error_ = std::move(error);
@@ -85,7 +89,7 @@ class Call {
   std::exception_ptr error_;
 };
 
-/// While it lives, this thread works for a call.
+/// While it lives, this thread works for a call, in the floating-point environment that exact arithmetic needs.
 class WorkingFor {
  public:
   explicit WorkingFor(Call& call) : outer_(Call::current_) { Call::current_ = &call; }
@@ -94,7 +98,24 @@ class WorkingFor {
   ~WorkingFor() { Call::current_ = outer_; }
 
  private:
-  Call* outer_;  ///< a call may be made from within another's progress function
+  Call* outer_;  ///< of a task of another call, or of a function that makes use of another
+  WithFloatingPoint modes_;
+  NoShare no_share_;
+};
+
+/// While it lives, this thread runs the caller's own function, in the caller's environment, and works for no call.
+class WorkingForCaller {
+ public:
+  explicit WorkingForCaller(const FloatingPoint& callers) : outer_(Call::current_), modes_(callers) {
+    Call::current_ = nullptr;
+  }
+  WorkingForCaller(const WorkingForCaller&) = delete;
+  WorkingForCaller& operator=(const WorkingForCaller&) = delete;
+  ~WorkingForCaller() { Call::current_ = outer_; }
+
+ private:
+  Call* outer_;
+  WithFloatingPoint modes_;
   NoShare no_share_;
 };
 

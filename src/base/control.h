@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "base/floating_point.h"
 #include "base/stopped.h"
 #include "base/tuning.h"
 
@@ -17,13 +18,17 @@ namespace oblast {
 /// Shared by all stages and threads of one call.
 class Control {
  public:
-  /// The options live as long as this does.
-  explicit Control(const Options& options) : progress_(options.progress), timed_(options.statistics != nullptr) {}
+  /// The options live as long as this does. The caller's function runs in the environment `callers`.
+  explicit Control(const CallOptions& options, bool timed = false,
+                   const FloatingPoint& callers = FloatingPoint::current())
+      : progress_(options.progress), timed_(timed), callers_(callers) {}
+  explicit Control(const Options& options) : Control(options, options.statistics != nullptr) {}
 
   /// Whether anybody asks for times: to look at the clock a dozen times costs a small call a tenth of its own.
   bool timed() const { return timed_; }
   /// Whether anybody asks how far the call is.
   bool asked() const { return static_cast<bool>(progress_); }
+  const FloatingPoint& callers() const { return callers_; }
 
   /// Asks the caller, at most every few milliseconds and from one thread at a time, whether to go on. Throws
   /// Error(cancelled), or what the caller's function throws, on the thread that got this answer; Stopped on all others,
@@ -75,7 +80,7 @@ class Control {
   void ask(double fraction) {
     bool go_on = false;
     try {
-      go_on = progress_(stage_.load(std::memory_order_relaxed), fraction);
+      go_on = answer(fraction);
     } catch (...) {
       stopped_.store(true, std::memory_order_relaxed);
       throw;
@@ -85,8 +90,12 @@ class Control {
     throw Error(ErrorCode::cancelled, "the call was cancelled");
   }
 
+  /// What the caller's function says.
+  bool answer(double fraction) const;
+
   const Progress& progress_;
   bool timed_;
+  FloatingPoint callers_;
   std::atomic<bool> stopped_ = false;
   std::atomic<std::uint64_t> done_ = 0;
   std::atomic<Stage> stage_ = Stage::collect;

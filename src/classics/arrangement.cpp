@@ -6,6 +6,7 @@
 #include "classics/clearance.h"
 #include "engines/leonov_nikitin/label.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 
@@ -16,7 +17,7 @@ using noding::Group;
 using noding::Strands;
 using noding::Winding;
 
-void append(const std::vector<Ring>& rings, Winding change, Group group, Strands& strands) {
+void append(const Array<Ring>& rings, Winding change, Group group, Strands& strands) {
   for (const Ring& ring : rings) {
     const std::size_t first = strands.points.size();
     strands.points.insert(strands.points.end(), ring.points.begin(), ring.points.end());
@@ -44,7 +45,7 @@ LargeArray<noding::EdgeCut> meetings_of(Strands& strands) {
 /// Flags for is_clear(): added are the rounded crossings only, moved the pieces that end at one. A cut is not a
 /// rounded crossing where a vertex of the input lies there, exactly on the edge that was cut.
 Strands flagged_for_clearance(const ChainGraph& graph, std::span<const Point> input) {
-  std::vector<bool> has_input(graph.node_count(), false);
+  Array<bool> has_input(graph.node_count(), false);
   for (const Chain& chain : graph.chains)
     if (!chain.is_loop() && !(graph.strands.flags[chain.first] & noding::added_flag)) has_input[chain.from] = true;
   Strands flagged = graph.strands;
@@ -63,7 +64,7 @@ Strands flagged_for_clearance(const ChainGraph& graph, std::span<const Point> in
 
 }  // namespace
 
-OwnMeetings find_own_meetings(const std::vector<Ring>& rings) {
+OwnMeetings find_own_meetings(const Array<Ring>& rings) {
   OwnMeetings found;
   Strands strands;
   append(rings, {1, 0}, noding::any_group, strands);
@@ -89,7 +90,7 @@ OwnMeetings find_own_meetings(const std::vector<Ring>& rings) {
   return found;
 }
 
-OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rings) {
+OwnMeetings require_regular(const Operand& operand, const Array<Ring>& rings) {
   OwnMeetings found = find_own_meetings(rings);
   if (found.crossed_ring != OwnMeetings::nowhere)
     operand.refuse("another edge crosses the edge from there, or ends inside it", rings[found.crossed_ring].contour,
@@ -100,10 +101,10 @@ OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rin
   return found;
 }
 
-void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
+void require_one_side(const Operand& operand, const Array<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left) {
   const LargeArray<Winding> right = leonov_nikitin::label(own.graph);
-  std::vector<std::uint32_t> along(right.size());  // the chains along the rings
+  Array<std::uint32_t> along(right.size());  // the chains along the rings
   std::iota(along.begin(), along.end(), 0U);
   const auto first_of = [&](std::uint32_t c) { return own.graph.chains[c].first; };
   std::sort(along.begin(), along.end(), [&](std::uint32_t c, std::uint32_t d) { return first_of(c) < first_of(d); });
@@ -116,7 +117,7 @@ void require_one_side(const Operand& operand, const std::vector<Ring>& rings, co
   }
 }
 
-Arrangement arrange(const std::vector<Ring>& a, bool a_touches, const std::vector<Ring>& b, bool b_touches) {
+Arrangement arrange(const Array<Ring>& a, bool a_touches, const Array<Ring>& b, bool b_touches) {
   Strands strands;
   append(a, {1, 0}, a_touches ? noding::any_group : 1, strands);
   append(b, {0, 1}, b_touches ? noding::any_group : 2, strands);
@@ -128,7 +129,7 @@ Arrangement arrange(const std::vector<Ring>& a, bool a_touches, const std::vecto
   arrangement.graph = build_chain_graph(std::move(noded));
   const ChainGraph& graph = arrangement.graph;
   arrangement.clear = cuts.empty() || is_clear(flagged_for_clearance(graph, strands.points));
-  std::vector<Winding> seen(graph.node_count());
+  Array<Winding> seen(graph.node_count());
   for (const Chain& chain : graph.chains) {
     if (chain.is_loop()) continue;
     for (const std::uint32_t node : {chain.from, chain.to}) {

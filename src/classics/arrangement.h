@@ -1,9 +1,8 @@
 // Two operands cut at their meetings: what Weiler-Atherton and Margalit-Knott work on.
 #pragma once
 
-#include <vector>
-
 #include "classics/operand.h"
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::classics {
@@ -21,14 +20,14 @@ struct OwnMeetings {
 };
 
 /// Cost: O((n + k) log n).
-OwnMeetings find_own_meetings(const std::vector<Ring>& rings);
+OwnMeetings find_own_meetings(const Array<Ring>& rings);
 
 /// Throws Error(precondition) unless edges meet at their ends only (Skvortsov, definition 6).
-OwnMeetings require_regular(const Operand& operand, const std::vector<Ring>& rings);
+OwnMeetings require_regular(const Operand& operand, const Array<Ring>& rings);
 
 /// Throws Error(precondition), with `why`, unless the interior is on the same side of all rings as they are directed.
 /// REQUIRES: regular. Cost: O(n log n).
-void require_one_side(const Operand& operand, const std::vector<Ring>& rings, const OwnMeetings& own, const char* why,
+void require_one_side(const Operand& operand, const Array<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left);
 
 /// Both operands, A's changes {1, 0} and B's {0, 1}, cut where they meet, once.
@@ -40,6 +39,6 @@ struct Arrangement {
 
 /// REQUIRES: both regular, with the interior on the left. `touches` as found by find_own_meetings.
 /// Cost: O((n + k) log n).
-Arrangement arrange(const std::vector<Ring>& a, bool a_touches, const std::vector<Ring>& b, bool b_touches);
+Arrangement arrange(const Array<Ring>& a, bool a_touches, const Array<Ring>& b, bool b_touches);
 
 }  // namespace oblast::classics

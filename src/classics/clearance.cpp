@@ -5,6 +5,7 @@
 
 #include "base/tuning.h"
 #include "classics/far.h"
+#include "memory/call_memory.h"
 #include "noding/box_tree.h"
 
 namespace oblast::classics {
@@ -96,7 +97,7 @@ class ClearanceTest {
   const Strands& strands_;
   const LargeArray<Point>& points_;
   double gap_ = 0;
-  std::vector<Moved> moved_;
+  Array<Moved> moved_;
 };
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/index.h"
 #include "engines/leonov_nikitin/label.h"
+#include "memory/call_memory.h"
+#include "memory/memory_budget.h"
 #include "noding/point_hash.h"
 #include "overlay/assemble.h"
 #include "overlay/link.h"
@@ -16,7 +19,7 @@ namespace {
 /// Flags every vertex whose point occurs more than once.
 void flag_repeated(std::span<const Point> points, Array<std::uint8_t>& flags) {
   constexpr std::uint32_t free = 0xffffffff;
-  std::vector<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
+  Array<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     for (std::uint64_t slot = noding::hash(points[v]);; ++slot) {
       std::uint32_t& entry = slots[slot & (slots.size() - 1)];
@@ -39,7 +42,9 @@ RegionSet assembled(const ChainGraph& graph) {
     if (graph.is_live(c)) selection[c] = forward(c);
   const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
   const Rings rings = contours_to_rings(graph, selection, linked);
-  return assemble(rings, nest(graph, selection, linked, rings));
+  const Nesting nesting = nest(graph, selection, linked, rings);
+  const Charge charge(bytes_of_regions(rings.points.size(), rings.size(), nesting.polygon_count));
+  return assemble(rings, nesting);
 }
 
 }  // namespace
@@ -49,11 +54,12 @@ void Contours::close() {
   if (points_.size() - begin < 3)
     points_.resize(begin);
   else
-    ends_.push_back(static_cast<std::uint32_t>(points_.size()));
+    ends_.push_back(checked_index(points_.size(), "vertices of the result", most_vertices));
 }
 
 RegionSet Contours::single() const {
   const auto smallest = std::min_element(points_.begin(), points_.end(), lexicographically_less);
+  const Charge charge(bytes_of_regions(points_.size(), 1, 1));
   RegionSet result;
   result.points.reserve(points_.size());
   result.points.assign(smallest, points_.end());

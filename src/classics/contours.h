@@ -4,8 +4,8 @@
 #include <oblast/region_set.h>
 
 #include <optional>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::classics {

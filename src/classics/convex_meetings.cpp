@@ -15,6 +15,7 @@
 #include "classics/crossing.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 namespace {
@@ -103,13 +104,13 @@ void ConvexMeetings::test_edges(std::uint32_t i, std::uint32_t j) {
 }
 
 /// REQUIRES: p is collinear with the edge.
-void ConvexMeetings::vertex_on_edge(const Point& p, const Ring& ring, std::uint32_t edge, std::vector<Cut>& cuts) {
+void ConvexMeetings::vertex_on_edge(const Point& p, const Ring& ring, std::uint32_t edge, Array<Cut>& cuts) {
   const Point &a = ring.points[edge], &b = ring.next(edge);
   if (earlier(a, p, a, b) && earlier(p, b, a, b)) cuts.push_back({edge, p, false});
 }
 
 /// False when two cuts that differ were rounded to one place.
-bool ConvexMeetings::cut(const Ring& ring, std::vector<Cut>& cuts, NodedContour& noded) {
+bool ConvexMeetings::cut(const Ring& ring, Array<Cut>& cuts, NodedContour& noded) {
   // Rounding is monotone, so rounded points keep their order along the edge in each coordinate.
   std::sort(cuts.begin(), cuts.end(), [&](const Cut& p, const Cut& q) {
     if (p.edge != q.edge) return p.edge < q.edge;
@@ -155,7 +156,7 @@ bool ConvexMeetings::pieces_are_clear() const {
 }
 
 ConvexMeetings::Order ConvexMeetings::settled_order() {
-  std::vector<bool> common_a, common_b;
+  Array<bool> common_a, common_b;
   if (collapsed_ || !separated(noded_a_.points, noded_b_.points, common_a, common_b)) return Order::unsettled;
   auto &nodes_a = noded_a_.nodes, &nodes_b = noded_b_.nodes;
   for (std::uint32_t v = 0; v < common_a.size(); ++v)

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "classics/contours.h"
 #include "classics/operand.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 
 /// A contour cut at its meetings with the other one. Chain k runs from node k to node k + 1.
 struct NodedContour {
-  std::vector<Point> points;
-  std::vector<bool> rounded;         ///< by point: a rounded crossing
-  std::vector<std::uint32_t> nodes;  ///< indices of the points that lie on the other contour, increasing
+  Array<Point> points;
+  Array<bool> rounded;         ///< by point: a rounded crossing
+  Array<std::uint32_t> nodes;  ///< indices of the points that lie on the other contour, increasing
 
   const Point& next(std::uint32_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
   const Point& previous(std::uint32_t i) const { return points[i == 0 ? points.size() - 1 : i - 1]; }
@@ -53,13 +53,13 @@ class ConvexMeetings {
   };
 
   void test_edges(std::uint32_t i, std::uint32_t j);
-  static void vertex_on_edge(const Point& p, const Ring& ring, std::uint32_t edge, std::vector<Cut>& cuts);
-  static bool cut(const Ring& ring, std::vector<Cut>& cuts, NodedContour& noded);
+  static void vertex_on_edge(const Point& p, const Ring& ring, std::uint32_t edge, Array<Cut>& cuts);
+  static bool cut(const Ring& ring, Array<Cut>& cuts, NodedContour& noded);
   bool pieces_are_clear() const;
 
   const Ring& a_;
   const Ring& b_;
-  std::vector<Cut> cuts_a_, cuts_b_;
+  Array<Cut> cuts_a_, cuts_b_;
   NodedContour noded_a_, noded_b_;
   bool collapsed_ = false;  ///< two points that differ were rounded to one
 };

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 namespace {
@@ -14,7 +15,7 @@ using exact::orientation;
 
 /// A chain of a contour, read from its smallest to its largest vertex.
 struct Chain {
-  const std::vector<Point>* points;
+  const Array<Point>* points;
   std::size_t first;
   std::size_t size;  ///< vertices
   bool backward;
@@ -32,7 +33,7 @@ struct Chain {
   }
 };
 
-std::array<Chain, 2> chains_of(const std::vector<Point>& ring) {
+std::array<Chain, 2> chains_of(const Array<Point>& ring) {
   const auto [smallest, largest] = std::minmax_element(ring.begin(), ring.end(), lexicographically_less);
   const auto first = static_cast<std::size_t>(smallest - ring.begin()), n = ring.size();
   const std::size_t length = (static_cast<std::size_t>(largest - ring.begin()) + n - first) % n;
@@ -54,7 +55,7 @@ bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d)
 }
 
 /// A vertex that both chains have is an end of two edges that are compared.
-bool separated(const Chain& p, const Chain& q, std::vector<bool>& common_p, std::vector<bool>& common_q) {
+bool separated(const Chain& p, const Chain& q, Array<bool>& common_p, Array<bool>& common_q) {
   for (std::size_t i = 0, j = 0; i + 1 < p.size && j + 1 < q.size;) {
     if (in_conflict(p[i], p[i + 1], q[j], q[j + 1])) return false;
     for (const std::size_t k : {i, i + 1})
@@ -67,8 +68,7 @@ bool separated(const Chain& p, const Chain& q, std::vector<bool>& common_p, std:
 
 }  // namespace
 
-bool separated(const std::vector<Point>& a, const std::vector<Point>& b, std::vector<bool>& common_a,
-               std::vector<bool>& common_b) {
+bool separated(const Array<Point>& a, const Array<Point>& b, Array<bool>& common_a, Array<bool>& common_b) {
   common_a.assign(a.size(), false);
   common_b.assign(b.size(), false);
   for (const Chain& p : chains_of(a)) {

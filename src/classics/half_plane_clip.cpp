@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 namespace {
@@ -60,6 +62,7 @@ ConvexWindow::ConvexWindow(Ring convex) : ring(std::move(convex.points)), low(ri
 HalfPlaneClip::HalfPlaneClip(std::span<const Ring> subject, const ConvexWindow& window) : window_(window) {
   std::size_t size = 0;
   for (const Ring& ring : subject) size += ring.size();
+  check_count(size + window.sides.size(), "edges of subject and window");
   edges_.reserve(size);
   vertices_.reserve(size);
   for (const Ring& ring : subject) {
@@ -153,7 +156,7 @@ void HalfPlaneClip::split(std::uint32_t begin, std::uint32_t end, std::uint32_t 
   if (start == n) {
     if (!is_left(0)) return;
     kept_.insert(kept_.end(), vertices_.begin() + begin, vertices_.begin() + end);
-    kept_ends_.push_back(static_cast<std::uint32_t>(kept_.size()));
+    kept_ends_.push_back(checked_index(kept_.size(), "vertices of the clipped subject"));
     return;
   }
   for (std::uint32_t i = start; i < start + n;) {
@@ -165,7 +168,7 @@ void HalfPlaneClip::split(std::uint32_t begin, std::uint32_t end, std::uint32_t 
     path_vertices_.push_back(sides_[i % n] == 0 ? at(i) : cross(at(i).along, side));
     for (++i; is_left(i); ++i) path_vertices_.push_back(at(i));
     path_vertices_.push_back(sides_[i % n] == 0 ? at(i) : cross(at(i - 1 + n).along, side));
-    path.end = static_cast<std::uint32_t>(path_vertices_.size());
+    path.end = checked_index(path_vertices_.size(), "vertices of the clipped subject");
     paths_.push_back(path);
     add_path_end(static_cast<std::uint32_t>(paths_.size() - 1), true);
     add_path_end(static_cast<std::uint32_t>(paths_.size() - 1), false);
@@ -192,7 +195,7 @@ bool HalfPlaneClip::join(std::uint32_t side) {
             [&](const Point& p, const Point& q) { return compare_points(p, q, l) < 0; });
   on_line_.erase(std::unique(on_line_.begin(), on_line_.end()), on_line_.end());
 
-  std::vector<std::uint32_t> exit_of(paths_.size(), no_line);  // by path: index of its exit in path_ends_
+  Array<std::uint32_t> exit_of(paths_.size(), no_line);  // by path: index of its exit in path_ends_
   for (std::uint32_t i = 0; i < path_ends_.size(); ++i) {
     if (path_ends_[i].entry != (i % 2 == 1)) return false;
     if (!path_ends_[i].entry) exit_of[path_ends_[i].path] = i;
@@ -201,7 +204,7 @@ bool HalfPlaneClip::join(std::uint32_t side) {
     return std::partition_point(on_line_.begin(), on_line_.end(),
                                 [&](const Point& p) { return compare_along({p}, v, side) <= 0; });
   };
-  std::vector<bool> done(paths_.size(), false);
+  Array<bool> done(paths_.size(), false);
   for (std::uint32_t start = 0; start < paths_.size(); ++start) {
     if (done[start]) continue;
     for (std::uint32_t path = start; !done[path];) {
@@ -217,7 +220,7 @@ bool HalfPlaneClip::join(std::uint32_t side) {
       }
       path = entry.path;
     }
-    kept_ends_.push_back(static_cast<std::uint32_t>(kept_.size()));
+    kept_ends_.push_back(checked_index(kept_.size(), "vertices of the clipped subject"));
   }
   return true;
 }

@@ -7,20 +7,20 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "classics/crossing.h"
 #include "classics/operand.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 
 /// A convex window: its sides, collinear ones made one.
 struct ConvexWindow {
-  std::vector<Point> ring;                   ///< as given, counter-clockwise, without repeated neighbours
-  std::vector<Line> sides;                   ///< from corner to corner; side i ends where side i + 1 begins
-  std::vector<std::vector<Point>> straight;  ///< by side: vertices inside it, in its direction
-  Point low, high;                           ///< its box
-  bool safe_magnitudes = true;               ///< coordinates are in the range of crossing.h
+  Array<Point> ring;             ///< as given, counter-clockwise, without repeated neighbours
+  Array<Line> sides;             ///< from corner to corner; side i ends where side i + 1 begins
+  Array<Array<Point>> straight;  ///< by side: vertices inside it, in its direction
+  Point low, high;               ///< its box
+  bool safe_magnitudes = true;   ///< coordinates are in the range of crossing.h
 
   explicit ConvexWindow(Ring convex);
 };
@@ -47,10 +47,10 @@ class HalfPlaneClip {
   bool run();
 
   /// Contours of the result, the interior on the left: vertices and where each contour ends.
-  const std::vector<ClipVertex>& vertices() const { return vertices_; }
-  const std::vector<std::uint32_t>& ends() const { return ends_; }
+  const Array<ClipVertex>& vertices() const { return vertices_; }
+  const Array<std::uint32_t>& ends() const { return ends_; }
   /// Subject vertices on the window's sides that are no ends of paths there, by side.
-  const std::vector<std::vector<Point>>& touches() const { return touches_; }
+  const Array<Array<Point>>& touches() const { return touches_; }
   Line line(std::uint32_t id) const;
   std::uint32_t subject_edges() const { return static_cast<std::uint32_t>(edges_.size()); }
 
@@ -75,17 +75,17 @@ class HalfPlaneClip {
   void add_path_end(std::uint32_t path, bool entry);
 
   const ConvexWindow& window_;
-  std::vector<Line> edges_;
-  std::vector<ClipVertex> vertices_;
-  std::vector<std::uint32_t> ends_;
-  std::vector<std::vector<Point>> touches_;
+  Array<Line> edges_;
+  Array<ClipVertex> vertices_;
+  Array<std::uint32_t> ends_;
+  Array<Array<Point>> touches_;
   // of one clip
-  std::vector<int> sides_;
-  std::vector<ClipVertex> path_vertices_, kept_;
-  std::vector<std::uint32_t> kept_ends_;
-  std::vector<Path> paths_;
-  std::vector<PathEnd> path_ends_;
-  std::vector<Point> on_line_;
+  Array<int> sides_;
+  Array<ClipVertex> path_vertices_, kept_;
+  Array<std::uint32_t> kept_ends_;
+  Array<Path> paths_;
+  Array<PathEnd> path_ends_;
+  Array<Point> on_line_;
 };
 
 }  // namespace oblast::classics

@@ -20,10 +20,10 @@
 #include "classics/arrangement.h"
 #include "classics/contours.h"
 #include "classics/settle.h"
+#include "memory/call_memory.h"
 #include "overlay/link.h"
 #include "overlay/locate_below.h"
 #include "overlay/rings.h"
-#include "overlay/validate.h"
 
 namespace oblast {
 namespace {
@@ -36,17 +36,15 @@ constexpr const char* instead = "overlay";
 enum class Place : std::uint8_t { outside, inside, on_boundary };
 
 /// Step 1. REQUIRES: vertex-complete, which is checked.
-std::vector<Ring> normalise(const RegionView& regions, std::size_t index, bool& touches) {
+Array<Ring> normalise(const RegionView& regions, std::size_t index, const CallOptions& call, bool& touches) {
   const classics::Operand operand{regions, index, name, instead};
-  std::vector<Ring> rings{operand.one_contour()};
+  Array<Ring> rings{operand.one_contour()};
   const classics::OwnMeetings own = classics::find_own_meetings(rings);
   if (own.crossed_ring != classics::OwnMeetings::nowhere)
     operand.refuse("another edge crosses the edge from there, or ends inside it, so it is not vertex-complete", 0,
                    rings[0].source[own.crossed_vertex]);
   // Nothing is cut, so no coordinate changes: coincident sides cancel and the contour falls apart into simple ones.
-  Options options;
-  options.fill_a = FillRule::even_odd();
-  const RegionSet normal = unite(regions, options);
+  const RegionSet normal = unite(regions, classics::overlay_options(call, FillRule::even_odd()));
   rings.clear();
   for (std::size_t c = 0; c < normal.contour_ends.size(); ++c)
     rings.push_back(classics::clean_ring(normal.view().contour(c)));
@@ -75,8 +73,8 @@ class Fragments {
   }
 
   void classify(bool of_a) {
-    std::vector<std::uint32_t> others, fragments;
-    std::vector<BelowQuery> queries;
+    Array<std::uint32_t> others, fragments;
+    Array<BelowQuery> queries;
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
       if (!graph_.is_live(c)) continue;
       if (change(c, !of_a) != 0) others.push_back(c);
@@ -107,7 +105,7 @@ class Fragments {
 
   const ChainGraph& graph_;
   std::int32_t b_turned_;
-  std::vector<Place> place_;
+  Array<Place> place_;
   Selection selection_;
 };
 
@@ -123,21 +121,24 @@ RegionSet construct(const ChainGraph& graph, const Selection& selection) {
   return contours.to_region_set();
 }
 
-}  // namespace
-
-RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report) {
-  ClassicReport unused;
-  ClassicReport& done = report ? *report : unused;
-  done = {};
-  validate(a, 0);
-  validate(b, 1);
+RegionSet run_margalit_knott(const RegionView& a, const RegionView& b, Operation operation, const CallOptions& options,
+                             ClassicReport& done) {
   classics::refuse_symmetric_difference(operation == Operation::symmetric_difference, name);
   bool a_touches = false, b_touches = false;
-  const std::vector<Ring> rings_a = normalise(a, 0, a_touches), rings_b = normalise(b, 1, b_touches);
+  const Array<Ring> rings_a = normalise(a, 0, options, a_touches), rings_b = normalise(b, 1, options, b_touches);
   const classics::Arrangement arrangement = classics::arrange(rings_a, a_touches, rings_b, b_touches);
   done.meetings = arrangement.meetings;
-  if (!arrangement.clear) return classics::settle(a, b, operation, done);
+  if (!arrangement.clear) return classics::settle(a, b, operation, done, classics::overlay_options(options));
   return construct(arrangement.graph, Fragments(arrangement.graph, operation).selection());
+}
+
+}  // namespace
+
+RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report,
+                         const CallOptions& options) {
+  check_operation(operation);
+  return classics::classic_call(
+      a, b, report, options, [&](ClassicReport& done) { return run_margalit_knott(a, b, operation, options, done); });
 }
 
 }  // namespace oblast

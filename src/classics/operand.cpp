@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 namespace {
@@ -95,8 +96,8 @@ Ring Operand::one_convex_contour() const {
   return ring;
 }
 
-std::vector<Ring> Operand::all_contours() const {
-  std::vector<Ring> rings;
+Array<Ring> Operand::all_contours() const {
+  Array<Ring> rings;
   rings.reserve(regions.contour_count());
   for (std::size_t c = 0; c < regions.contour_count(); ++c) {
     rings.push_back(clean_ring(regions.contour(c)));

@@ -9,15 +9,16 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 
 /// A contour without repeated neighbours and without its closing point; -0.0 is 0.0.
 struct Ring {
-  std::vector<Point> points;
-  std::vector<std::uint32_t> source;  ///< by point: the vertex of the contour as given
-  std::size_t contour = 0;            ///< which contour of the operand it was
+  Array<Point> points;
+  Array<std::uint32_t> source;  ///< by point: the vertex of the contour as given
+  std::size_t contour = 0;      ///< which contour of the operand it was
 
   std::size_t size() const { return points.size(); }
   const Point& next(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
@@ -42,7 +43,7 @@ struct Operand {
   /// The one contour of the operand, convex, turned counter-clockwise; straight vertices are allowed. Cost: linear.
   Ring one_convex_contour() const;
   /// All contours, cleaned, as directed.
-  std::vector<Ring> all_contours() const;
+  Array<Ring> all_contours() const;
 };
 
 /// Throws Error(precondition) unless `operation` is one that the method has.

@@ -19,7 +19,7 @@
 #include "classics/operand.h"
 #include "classics/settle.h"
 #include "exact/orientation.h"
-#include "overlay/validate.h"
+#include "memory/call_memory.h"
 
 namespace oblast {
 namespace {
@@ -105,13 +105,13 @@ class Lenses {
   }
 
  private:
-  static void add_unshared(const NodedContour& contour, const std::vector<Label>& labels, Contours& result) {
+  static void add_unshared(const NodedContour& contour, const Array<Label>& labels, Contours& result) {
     for (std::size_t k = 0; k < labels.size(); ++k)
       if (labels[k] != Label::shared2) contour.add_chain(k, result);
   }
 
   const NodedContour &a_, &b_;
-  std::vector<Label> a_label_, b_label_;
+  Array<Label> a_label_, b_label_;
   bool interiors_meet_ = false;
 };
 
@@ -143,14 +143,8 @@ Contours without_meetings(const classics::Ring& a, const classics::Ring& b, Oper
   return result;
 }
 
-}  // namespace
-
-RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report) {
-  ClassicReport unused;
-  ClassicReport& done = report ? *report : unused;
-  done = {};
-  validate(a, 0);
-  validate(b, 1);
+RegionSet run_orourke(const RegionView& a, const RegionView& b, Operation operation, const CallOptions& options,
+                      ClassicReport& done) {
   classics::refuse_symmetric_difference(operation == Operation::symmetric_difference, name);
   const classics::Ring ring_a = classics::Operand{a, 0, name, instead}.one_convex_contour();
   const classics::Ring ring_b = classics::Operand{b, 1, name, instead}.one_convex_contour();
@@ -159,7 +153,8 @@ RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
   done.steps = meetings.find();
   const auto order = meetings.settled_order();
   done.meetings = meetings.contour_a().nodes.size();
-  if (order == ConvexMeetings::Order::unsettled) return classics::settle(a, b, operation, done);
+  if (order == ConvexMeetings::Order::unsettled)
+    return classics::settle(a, b, operation, done, classics::overlay_options(options));
   if (done.meetings == 0) return without_meetings(ring_a, ring_b, operation).to_region_set();
 
   const Lenses lenses(meetings.contour_a(), meetings.contour_b(), order == ConvexMeetings::Order::same);
@@ -171,6 +166,15 @@ RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
     default:
       return lenses.difference().to_region_set();
   }
+}
+
+}  // namespace
+
+RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report,
+                  const CallOptions& options) {
+  check_operation(operation);
+  return classics::classic_call(a, b, report, options,
+                                [&](ClassicReport& done) { return run_orourke(a, b, operation, options, done); });
 }
 
 }  // namespace oblast

@@ -6,6 +6,7 @@
 #include "classics/clearance.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 namespace {
@@ -19,7 +20,7 @@ struct Cut {
 /// Every crossing is a vertex of the result; so here all cuts are known.
 class Rounding {
  public:
-  Rounding(const HalfPlaneClip& clip, const std::vector<Ring>& subject, const ConvexWindow& window)
+  Rounding(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window)
       : clip_(clip), subject_(subject), window_(window) {}
 
   Point round(const ClipVertex& v) {
@@ -72,7 +73,7 @@ class Rounding {
       for (const Point& p : clip_.touches()[side])
         if (is_inside(p, s)) side_cuts_.push_back({side, p, false});
     }
-    std::vector<std::uint32_t> crossed;
+    Array<std::uint32_t> crossed;
     for (const Cut& c : edge_cuts_) crossed.push_back(c.line);
     std::sort(crossed.begin(), crossed.end());
     crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
@@ -90,7 +91,7 @@ class Rounding {
     return lexicographically_less(low, p) && lexicographically_less(p, high);
   }
 
-  void sort(std::vector<Cut>& cuts) const {
+  void sort(Array<Cut>& cuts) const {
     const bool sides = &cuts == &side_cuts_;
     std::sort(cuts.begin(), cuts.end(), [&](const Cut& p, const Cut& q) {
       if (p.line != q.line) return p.line < q.line;
@@ -102,7 +103,7 @@ class Rounding {
   }
 
   /// The first vertex of a line and its cuts. False when two of them were rounded to one place.
-  static bool add(noding::Strands& strands, const Point& p, const std::vector<Cut>& cuts, std::size_t& next,
+  static bool add(noding::Strands& strands, const Point& p, const Array<Cut>& cuts, std::size_t& next,
                   std::uint32_t line) {
     strands.points.push_back(p);
     strands.flags.push_back(0);
@@ -128,16 +129,16 @@ class Rounding {
   }
 
   const HalfPlaneClip& clip_;
-  const std::vector<Ring>& subject_;
+  const Array<Ring>& subject_;
   const ConvexWindow& window_;
-  std::vector<Cut> edge_cuts_, side_cuts_;
+  Array<Cut> edge_cuts_, side_cuts_;
   std::uint64_t meetings_ = 0;
   bool collapsed_ = false;
 };
 
 }  // namespace
 
-bool has_safe_magnitudes(const std::vector<Ring>& rings) {
+bool has_safe_magnitudes(const Array<Ring>& rings) {
   const auto safe = [](double coordinate) {
     const double magnitude = std::fabs(coordinate);
     return magnitude == 0 || (magnitude >= crossing_smallest && magnitude <= crossing_largest);
@@ -147,8 +148,8 @@ bool has_safe_magnitudes(const std::vector<Ring>& rings) {
   });
 }
 
-bool round_clip(const HalfPlaneClip& clip, const std::vector<Ring>& subject, const ConvexWindow& window,
-                Contours& contours, std::uint64_t& meetings) {
+bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window, Contours& contours,
+                std::uint64_t& meetings) {
   Rounding rounding(clip, subject, window);
   std::uint32_t begin = 0;
   for (const std::uint32_t end : clip.ends()) {

@@ -3,14 +3,15 @@
 
 #include "classics/contours.h"
 #include "classics/half_plane_clip.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 
-bool has_safe_magnitudes(const std::vector<Ring>& rings);
+bool has_safe_magnitudes(const Array<Ring>& rings);
 
 /// Adds the contours of the result. False when rounding might change what meets what (clearance.h).
 /// `meetings`: points of both boundaries.
-bool round_clip(const HalfPlaneClip& clip, const std::vector<Ring>& subject, const ConvexWindow& window,
-                Contours& contours, std::uint64_t& meetings);
+bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window, Contours& contours,
+                std::uint64_t& meetings);
 
 }  // namespace oblast::classics

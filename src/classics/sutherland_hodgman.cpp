@@ -9,8 +9,8 @@
 #include "classics/half_plane_clip.h"
 #include "classics/round_clip.h"
 #include "classics/settle.h"
+#include "memory/call_memory.h"
 #include "overlay/simple_ring.h"
-#include "overlay/validate.h"
 
 namespace oblast {
 
@@ -25,7 +25,8 @@ constexpr const char* instead = "Weiler-Atherton or overlay";
 /// The subject as regular contours with the interior on the left.
 class Subject {
  public:
-  explicit Subject(const RegionView& regions) : operand_{regions, 0, name, instead} {
+  Subject(const RegionView& regions, const CallOptions& options)
+      : operand_{regions, 0, name, instead}, options_(options) {
     for (std::size_t p = 0; p < regions.polygon_count(); ++p) read(p);
     if (regions.polygon_count() < 2) return;
     const classics::OwnMeetings own = classics::require_regular(operand_, rings);
@@ -33,7 +34,7 @@ class Subject {
     classics::require_one_side(operand_, rings, own, "the polygon overlaps another one", interior_left);
   }
 
-  std::vector<Ring> rings;
+  Array<Ring> rings;
 
  private:
   void read(std::size_t p) {
@@ -58,11 +59,10 @@ class Subject {
     if (begin == end) return;
     const RegionView& regions = operand_.regions;
     const std::uint32_t first_point = regions.contour_begin(begin);
-    std::vector<std::uint32_t> ends(regions.contour_ends.begin() + begin, regions.contour_ends.begin() + end);
+    Array<std::uint32_t> ends(regions.contour_ends.begin() + begin, regions.contour_ends.begin() + end);
     for (std::uint32_t& e : ends) e -= first_point;
-    Options options;
-    options.fill_a = FillRule::even_odd();
-    const RegionSet regular = unite({regions.points.subspan(first_point, ends.back()), ends, {}}, options);
+    const RegionSet regular = unite({regions.points.subspan(first_point, ends.back()), ends, {}},
+                                    classics::overlay_options(options_, FillRule::even_odd()));
     for (std::size_t c = 0; c < regular.contour_ends.size(); ++c) {
       rings.push_back(classics::clean_ring(regular.view().contour(c)));
       rings.back().contour = begin;
@@ -70,18 +70,13 @@ class Subject {
   }
 
   classics::Operand operand_;
+  const CallOptions& options_;
 };
 
-}  // namespace
-
-RegionSet sutherland_hodgman(const RegionView& regions, const RegionView& window_regions, ClassicReport* report) {
-  ClassicReport unused;
-  ClassicReport& done = report ? *report : unused;
-  done = {};
-  validate(regions, 0);
-  validate(window_regions, 1);
+RegionSet run_sutherland_hodgman(const RegionView& regions, const RegionView& window_regions,
+                                 const CallOptions& options, ClassicReport& done) {
   const ConvexWindow window(classics::Operand{window_regions, 1, name, instead}.one_convex_contour());
-  const Subject subject(regions);
+  const Subject subject(regions, options);
   done.steps = window.sides.size();
   if (window.safe_magnitudes && classics::has_safe_magnitudes(subject.rings)) {
     classics::HalfPlaneClip clip(subject.rings, window);
@@ -89,7 +84,16 @@ RegionSet sutherland_hodgman(const RegionView& regions, const RegionView& window
     if (clip.run() && classics::round_clip(clip, subject.rings, window, contours, done.meetings))
       return contours.to_region_set();
   }
-  return classics::settle(regions, window_regions, Operation::intersection, done);
+  return classics::settle(regions, window_regions, Operation::intersection, done, classics::overlay_options(options));
+}
+
+}  // namespace
+
+RegionSet sutherland_hodgman(const RegionView& regions, const RegionView& window, ClassicReport* report,
+                             const CallOptions& options) {
+  return classics::classic_call(regions, window, report, options, [&](ClassicReport& done) {
+    return run_sutherland_hodgman(regions, window, options, done);
+  });
 }
 
 }  // namespace oblast

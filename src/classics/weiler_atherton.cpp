@@ -15,8 +15,8 @@
 #include "classics/arrangement.h"
 #include "classics/contours.h"
 #include "classics/settle.h"
+#include "memory/call_memory.h"
 #include "overlay/locate_below.h"
-#include "overlay/validate.h"
 
 namespace oblast {
 namespace {
@@ -64,13 +64,13 @@ class Stretches {
 
   /// Where only one polygon touches itself, all its stretches lie alike to the other.
   void spread() {
-    std::vector<std::uint32_t> known;
+    Array<std::uint32_t> known;
     for (std::uint32_t c = 0; c < side_.size(); ++c)
       if (side_[c] == Side::inside || side_[c] == Side::outside) known.push_back(c);
     spread_from(known);
   }
 
-  void spread_from(std::vector<std::uint32_t>& known) {
+  void spread_from(Array<std::uint32_t>& known) {
     while (!known.empty()) {
       const std::uint32_t c = known.back();
       known.pop_back();
@@ -87,8 +87,8 @@ class Stretches {
   /// Contours that meet nothing: a point of theirs in the other polygon or not, by what lies below.
   void locate_the_rest() {
     for (const bool in_a : {true, false}) {
-      std::vector<std::uint32_t> others, unknown;
-      std::vector<BelowQuery> queries;
+      Array<std::uint32_t> others, unknown;
+      Array<BelowQuery> queries;
       for (std::uint32_t c = 0; c < side_.size(); ++c) {
         if (!graph_.is_live(c)) continue;
         const Winding w = graph_.chains[c].change;
@@ -111,7 +111,7 @@ class Stretches {
   }
 
   const ChainGraph& graph_;
-  std::vector<Side> side_;
+  Array<Side> side_;
 };
 
 /// Step 3.
@@ -174,12 +174,12 @@ class Walk {
   }
 
   const ChainGraph& graph_;
-  std::vector<Descriptor> way_;
+  Array<Descriptor> way_;
 };
 
 /// An operand whose contours all have the interior on one side; turned so that it is the left one.
 struct Oriented {
-  std::vector<classics::Ring> rings;
+  Array<classics::Ring> rings;
   bool touches = false;
   FillRule rule = FillRule::positive();  ///< that reads the contours as they were given
 };
@@ -200,26 +200,28 @@ Oriented require_oriented(const RegionView& regions, std::size_t index) {
   return oriented;
 }
 
-}  // namespace
-
-RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report) {
-  ClassicReport unused;
-  ClassicReport& done = report ? *report : unused;
-  done = {};
-  validate(a, 0);
-  validate(b, 1);
+RegionSet run_weiler_atherton(const RegionView& a, const RegionView& b, Operation operation, const CallOptions& call,
+                              ClassicReport& done) {
   classics::refuse_symmetric_difference(operation == Operation::symmetric_difference, name);
   const Oriented oriented_a = require_oriented(a, 0), oriented_b = require_oriented(b, 1);
   const classics::Arrangement arrangement =
       classics::arrange(oriented_a.rings, oriented_a.touches, oriented_b.rings, oriented_b.touches);
   done.meetings = arrangement.meetings;
   if (!arrangement.clear) {
-    Options options;
-    options.fill_a = oriented_a.rule;
+    Options options = classics::overlay_options(call, oriented_a.rule);
     options.fill_b = oriented_b.rule;
     return classics::settle(a, b, operation, done, options);
   }
   return Walk(arrangement.graph, Stretches(arrangement.graph), operation).run().to_region_set();
+}
+
+}  // namespace
+
+RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report,
+                          const CallOptions& options) {
+  check_operation(operation);
+  return classics::classic_call(
+      a, b, report, options, [&](ClassicReport& done) { return run_weiler_atherton(a, b, operation, options, done); });
 }
 
 }  // namespace oblast

@@ -15,6 +15,8 @@
 
 #include <cmath>
 
+#include "base/arithmetic.h"
+
 namespace oblast::exact {
 
 /// x + y == a + b exactly, x == round(a + b).

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+#include "base/arithmetic.h"
+
 namespace oblast::exact {
 
 /// The sign by expansion arithmetic; called when the filter cannot decide.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/public_call.h"
 #include "exact/orientation.h"
 #include "hull/lee.h"
+#include "memory/call_memory.h"
 #include "overlay/simple_ring.h"
 #include "overlay/validate.h"
 
@@ -15,8 +17,8 @@ namespace {
 using exact::orientation;
 
 /// Without repeated neighbours and without a closing point.
-std::vector<Point> cleaned(std::span<const Point> contour) {
-  std::vector<Point> ring(contour.begin(), contour.end());
+Array<Point> cleaned(std::span<const Point> contour) {
+  Array<Point> ring(contour.begin(), contour.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   return ring;
 }
@@ -25,7 +27,7 @@ std::vector<Point> cleaned(std::span<const Point> contour) {
 /// of it the point lies. Corners are found by buckets of equal width in x, of which there are as many as corners.
 class HullSide {
  public:
-  explicit HullSide(std::vector<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1, 0) {
+  explicit HullSide(Array<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1, 0) {
     const double width = corners_.back().x - corners_.front().x;
     scale_ = width > 0 ? static_cast<double>(corners_.size()) / width : 0;
     for (const Point& c : corners_) ++first_[bucket(c) + 1];
@@ -55,8 +57,8 @@ class HullSide {
     return std::min(static_cast<std::size_t>((p.x - corners_.front().x) * scale_), corners_.size() - 1);
   }
 
-  std::vector<Point> corners_;
-  std::vector<std::ptrdiff_t> first_;  ///< by bucket: its first corner
+  Array<Point> corners_;
+  Array<std::ptrdiff_t> first_;  ///< by bucket: its first corner
   double scale_ = 0;
 };
 
@@ -65,7 +67,7 @@ bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   if (hull.size() < 3) return false;
   const auto largest = std::max_element(hull.begin(), hull.end(), lexicographically_less);
   const HullSide lower({hull.begin(), largest + 1});
-  std::vector<Point> above(largest, hull.end());
+  Array<Point> above(largest, hull.end());
   above.push_back(hull.front());
   std::reverse(above.begin(), above.end());
   const HullSide upper(std::move(above));
@@ -76,39 +78,56 @@ bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   });
 }
 
-}  // namespace
-
-std::vector<Point> hull(std::span<const Point> contour) {
+/// Of one contour; its corners.
+Array<Point> hull_of(std::span<const Point> contour) {
   while (contour.size() > 1 && contour.back() == contour.front()) contour = contour.first(contour.size() - 1);
-  std::vector<Point> copy;
+  Array<Point> copy;
   if (std::adjacent_find(contour.begin(), contour.end()) != contour.end()) {
     copy = cleaned(contour);
     contour = copy;
   }
-  std::vector<Point> corners;
+  Array<Point> corners;
   const int turn = contour.size() < 3 ? 0 : turn_at_smallest(contour);
   if (turn != 0) corners = lee_hull(contour, turn);
   if (turn == 0 || !is_hull_of(corners, contour)) {
-    std::vector<Point> points(contour.begin(), contour.end());
+    Array<Point> points(contour.begin(), contour.end());
     corners = monotone_chain_hull(points);
   }
   for (Point& p : corners) p = {p.x + 0.0, p.y + 0.0};  // -0.0 becomes 0.0
   return corners;
 }
 
-RegionSet hull(const RegionView& regions) {
-  validate(regions, 0);
-  std::vector<Point> corners;
+Array<Point> hull_of(const RegionView& regions) {
+  if (regions.contour_count() == 1) return hull_of(regions.contour(0));
+  Array<Point> corners;
+  Steps steps(regions.contour_count(), tuning::contours_a_poll);
   for (std::size_t c = 0; c < regions.contour_count(); ++c) {
-    const std::vector<Point> of_contour = hull(regions.contour(c));
+    steps();
+    const Array<Point> of_contour = hull_of(regions.contour(c));
     corners.insert(corners.end(), of_contour.begin(), of_contour.end());
   }
-  RegionSet result;
-  result.points = regions.contour_count() == 1 ? std::move(corners) : monotone_chain_hull(corners);
-  if (result.points.size() < 3) return {};
-  result.contour_ends = {static_cast<std::uint32_t>(result.points.size())};
-  result.polygon_ends = {1};
-  return result;
+  return monotone_chain_hull(corners);
+}
+
+}  // namespace
+
+std::vector<Point> hull(std::span<const Point> contour, const CallOptions& options) {
+  return public_call(options, contour.size(), [&](Control&) {
+    validate(contour);
+    const Array<Point> corners = hull_of(contour);
+    const Charge charge(corners.size() * sizeof(Point));
+    return std::vector<Point>(corners.begin(), corners.end());
+  });
+}
+
+RegionSet hull(const RegionView& regions, const CallOptions& options) {
+  return public_call(options, regions.points.size(), [&](Control&) {
+    validate(regions, 0);
+    const Array<Point> corners = hull_of(regions);
+    if (corners.size() < 3) return RegionSet{};
+    const Charge charge(bytes_of_regions(corners.size(), 1, 1));
+    return RegionSet{{corners.begin(), corners.end()}, {static_cast<std::uint32_t>(corners.size())}, {1}};
+  });
 }
 
 }  // namespace oblast

@@ -22,6 +22,7 @@
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast {
 namespace {
@@ -51,7 +52,7 @@ bool beyond(const Point& p, const Point& q, const Point& v) {
 
 /// Appends the hull of one chain, its last vertex left out. `mirror`: 1 for a clockwise ring, -1 for the other.
 template <int mirror>
-void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size_t last, std::vector<Point>& hull) {
+void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size_t last, Array<Point>& hull) {
   const auto orientation = [](const Point& a, const Point& b, const Point& c) {
     return mirror * exact::orientation(a, b, c);
   };
@@ -85,12 +86,12 @@ void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size
 
 }  // namespace
 
-std::vector<Point> lee_hull(std::span<const Point> ring, int direction) {
+Array<Point> lee_hull(std::span<const Point> ring, int direction) {
   assert(ring.size() >= 3);
   const auto [smallest, largest] = std::minmax_element(ring.begin(), ring.end(), lexicographically_less);
   const auto p_1 = static_cast<std::size_t>(smallest - ring.begin());
   const auto p_m = static_cast<std::size_t>(largest - ring.begin());
-  std::vector<Point> hull;
+  Array<Point> hull;
   const auto append = direction > 0 ? append_chain_hull<-1> : append_chain_hull<1>;
   append(ring, p_1, p_m, hull);
   append(ring, p_m, p_1, hull);
@@ -98,11 +99,11 @@ std::vector<Point> lee_hull(std::span<const Point> ring, int direction) {
   return hull;
 }
 
-std::vector<Point> monotone_chain_hull(std::vector<Point>& points) {
+Array<Point> monotone_chain_hull(Array<Point>& points) {
   parallel_sort(points.begin(), points.end(), lexicographically_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
-  std::vector<Point> hull;
+  Array<Point> hull;
   const auto add = [&](const Point& p, std::size_t bottom) {
     while (hull.size() > bottom && exact::orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
     hull.push_back(p);

@@ -4,16 +4,17 @@
 #include <oblast/point.h>
 
 #include <span>
-#include <vector>
+
+#include "memory/call_memory.h"
 
 namespace oblast {
 
 /// The hull's corners, counter-clockwise from the smallest vertex. `ring`: without repeated neighbours, at least three
 /// vertices; `direction`: 1 for a counter-clockwise ring, -1 for a clockwise one. The answer is the hull when the ring
 /// is simple. Cost: linear.
-std::vector<Point> lee_hull(std::span<const Point> ring, int direction);
+Array<Point> lee_hull(std::span<const Point> ring, int direction);
 
 /// The hull of any points, counter-clockwise from the smallest (Andrew 1979). Sorts `points`. Cost: O(n log n).
-std::vector<Point> monotone_chain_hull(std::vector<Point>& points);
+Array<Point> monotone_chain_hull(Array<Point>& points);
 
 }  // namespace oblast

@@ -6,6 +6,7 @@
 
 #include "base/call.h"
 #include "base/tuning.h"
+#include "memory/memory_budget.h"
 
 namespace oblast {
 namespace {
@@ -61,7 +62,8 @@ void KeptBlocks::keep(Header* header) {
   while (bytes_ > most_bytes_) drop_oldest();
 }
 
-void* take_block(std::size_t bytes) {
+/// Whoever counts has counted it.
+void* take_uncounted_block(std::size_t bytes) {
   if (bytes < shortest) return ::operator new(bytes);
   const std::size_t with_header = bytes + sizeof(KeptBlocks::Header);
   const Call* const call = Call::current();
@@ -73,7 +75,17 @@ void* take_block(std::size_t bytes) {
   return header + 1;
 }
 
+void* take_block(std::size_t bytes) {
+  MemoryBudget* const budget = MemoryBudget::current();
+  if (!budget) return take_uncounted_block(bytes);
+  Charge charge(bytes);
+  void* const block = take_uncounted_block(bytes);
+  charge.keep();  // until the block is given back
+  return block;
+}
+
 void give_block_back(void* block, std::size_t bytes) {
+  if (MemoryBudget* const budget = MemoryBudget::current()) budget->give_back(bytes);
   if (bytes < shortest) {
     ::operator delete(block);
     return;

@@ -24,7 +24,7 @@ class KeptBlocks {
   void clear();
 
  private:
-  friend void* take_block(std::size_t bytes);
+  friend void* take_uncounted_block(std::size_t bytes);
   friend void give_block_back(void* block, std::size_t bytes);
 
   struct Header;
@@ -40,7 +40,8 @@ class KeptBlocks {
 };
 
 /// Memory of an array: of the workspace of the call that this thread works for, where there is one and the array is
-/// long, or the system's. Throws std::bad_alloc.
+/// long, or the system's; counted where the call has a limit (memory_budget.h). Throws std::bad_alloc and
+/// Error(memory_limit).
 void* take_block(std::size_t bytes);
 /// REQUIRES: the same size.
 void give_block_back(void* block, std::size_t bytes);

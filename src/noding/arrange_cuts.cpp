@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "noding/along.h"
@@ -92,6 +93,7 @@ class Arrangement {
   LargeArray<EdgeCut> run(std::span<const std::span<const EdgeCut>> blocks) {
     std::size_t count = 0;
     for (const auto& block : blocks) count += block.size();
+    check_count(count, "cuts");
     edges_a_range_ = std::bit_ceil(grain(points_.size(), count));
     ranges_.resize(range_count(points_.size(), edges_a_range_));
     resize_in_large_pages(cuts_, count);

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "memory/large_pages.h"
@@ -164,6 +165,7 @@ void move_ends(std::span<const EdgeCut> cuts, Strands& strands) {
 }  // namespace
 
 void insert_cuts(Strands& strands, std::span<const EdgeCut> cuts) {
+  check_count(strands.points.size() + cuts.size(), "vertices with those of the cuts");
   if (strands.origin.empty()) {
     resize_in_large_pages(strands.origin, strands.points.size());
     std::iota(strands.origin.begin(), strands.origin.end(), 0U);

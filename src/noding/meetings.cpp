@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/expansion.h"
@@ -75,11 +77,21 @@ class RecentPairs {
   Array<std::uint64_t> slots_;  // no pair is 0: its edges would be the same
 };
 
+/// Cuts of all threads, counted by blocks, so that too many are noticed before they fill the memory.
+class CutCount {
+ public:
+  void add(std::size_t cuts) { check_count(count_.fetch_add(cuts, std::memory_order_relaxed) + cuts, "cuts"); }
+
+ private:
+  std::atomic<std::size_t> count_ = 0;
+};
+
 /// Cuts as they are found. In blocks, which are not copied as they become many.
 class CutList {
  public:
-  void push_back(const EdgeCut& cut) {
+  void push_back(const EdgeCut& cut, CutCount& all) {
     if (blocks_.empty() || blocks_.back().size() == block_size) {
+      if (!blocks_.empty()) all.add(block_size);
       blocks_.emplace_back();
       blocks_.back().reserve(blocks_.size() > 1 ? block_size : first_reserve);
     }
@@ -102,11 +114,13 @@ struct Found {
 /// Tests pairs of edges and gathers what they ask for; one a thread.
 class MeetingTest {
  public:
-  MeetingTest(Strands& strands, Settling settling, Found& found, Clearance* clearance, const FirstFindings* first)
+  MeetingTest(Strands& strands, Settling settling, Found& found, CutCount& cut_count, Clearance* clearance,
+              const FirstFindings* first)
       : strands_(strands),
         points_(strands.points.data()),
         settling_(settling),
         cuts_(found.cuts),
+        cut_count_(cut_count),
         recent_(found.recent),
         clearance_(clearance),
         distance_(clearance ? clearance->distance() : std::numeric_limits<double>::infinity()),
@@ -340,13 +354,14 @@ class MeetingTest {
   }
   void cut(std::uint32_t edge, float sine, const Point& at) {
     met_ = true;
-    cuts_.push_back({edge, sine, at});
+    cuts_.push_back({edge, sine, at}, cut_count_);
   }
 
   Strands& strands_;
   const Point* points_;
   Settling settling_;
   CutList& cuts_;
+  CutCount& cut_count_;
   RecentPairs& recent_;
   Clearance* clearance_;
   double distance_;
@@ -362,13 +377,14 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
   LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->distance() : 0);
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
+  CutCount cut_count;
   std::optional<PerThread<Found>> by_thread;
   if (parallel) by_thread.emplace();
   const auto visit = [&](std::span<const RunPair> pairs) {
     if (checkpoint) checkpoint();
     Found& mine = by_thread ? by_thread->local() : by_caller;
     if (repeats) mine.recent.prepare();
-    MeetingTest test(strands, settling, mine, clearance, first);
+    MeetingTest test(strands, settling, mine, cut_count, clearance, first);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
   Nearness nearness;

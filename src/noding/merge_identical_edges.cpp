@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "memory/fetch.h"
@@ -243,7 +244,7 @@ class Remainder {
   Remainder(const Strands& strands, const IdenticalEdges& identical) : strands_(strands), identical_(identical) {}
 
   struct Size {
-    std::uint32_t points = 0, strands = 0;
+    std::size_t points = 0, strands = 0;
   };
 
   Size size(std::size_t first_strand, std::size_t past_strand) const {
@@ -260,9 +261,9 @@ class Remainder {
     walk(first_strand, past_strand,
          [&](std::uint32_t first, std::uint32_t past, Winding change, Group group, Simplicity simplicity) {
            std::copy(strands_.points.begin() + first, strands_.points.begin() + past,
-                     result.points.begin() + at.points);
+                     result.points.begin() + static_cast<std::ptrdiff_t>(at.points));
            at.points += past - first;
-           result.ends[at.strands] = at.points;
+           result.ends[at.strands] = static_cast<std::uint32_t>(at.points);
            result.change[at.strands] = change;
            result.group[at.strands] = group;
            result.simplicity[at.strands] = simplicity;
@@ -323,6 +324,8 @@ Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) 
     ends[i].points += ends[i - 1].points;
     ends[i].strands += ends[i - 1].strands;
   }
+  // Where every second edge is repeated, each is a strand of its own.
+  check_count(ends.back().points, "vertices of strands");
   Strands result;
   result.parity = strands.parity;
   result.resize(ends.back().points, ends.back().strands);

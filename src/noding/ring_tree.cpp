@@ -83,12 +83,12 @@ void RingTree::add_leaves(std::uint32_t ring, std::uint32_t begin, std::uint32_t
 }
 
 void RingTree::add_levels() {
-  level_begins_.assign({0, static_cast<std::uint32_t>(boxes_.size())});
+  level_begins_.assign({0, boxes_.size()});
   for (std::uint32_t level = 0; size(level) > 1; ++level) {
-    const std::uint32_t begin = level_begins_[level], end = level_begins_[level + 1];
-    for (std::uint32_t i = begin; i + 1 < end; i += 2) {
+    const std::size_t begin = level_begins_[level], end = level_begins_[level + 1];
+    for (std::size_t i = begin; i + 1 < end; i += 2) {
       boxes_.push_back(boxes_[i].joined(boxes_[i + 1]));
-      const std::uint32_t left = (i - begin) << level, right = (i + 1 - begin) << level;
+      const std::size_t left = (i - begin) << level, right = (i + 1 - begin) << level;
       const bool one_ring = leaves_[left].ring == leaves_[right].ring;
       directions_.push_back(one_ring ? directions_[i] & directions_[i + 1] : 0);
     }
@@ -96,7 +96,7 @@ void RingTree::add_levels() {
       boxes_.push_back(Box(boxes_[end - 1]));
       directions_.push_back(std::uint8_t(directions_[end - 1]));
     }
-    level_begins_.push_back(static_cast<std::uint32_t>(boxes_.size()));
+    level_begins_.push_back(boxes_.size());
   }
 }
 

@@ -48,7 +48,9 @@ class RingTree {
 
   void add_leaves(std::uint32_t ring, std::uint32_t begin, std::uint32_t last);
   void add_levels();
-  std::uint32_t size(std::uint32_t level) const { return level_begins_[level + 1] - level_begins_[level]; }
+  std::uint32_t size(std::uint32_t level) const {
+    return static_cast<std::uint32_t>(level_begins_[level + 1] - level_begins_[level]);
+  }
   const Box& box(std::uint32_t level, std::uint32_t i) const { return boxes_[level_begins_[level] + i]; }
   std::uint32_t begin(std::uint32_t ring) const { return ring == 0 ? 0 : ends_[ring - 1]; }
   std::size_t most_looks() const;
@@ -66,7 +68,7 @@ class RingTree {
   Array<std::uint32_t> first_leaves_;  ///< by ring, and past the last one
   Array<Box> boxes_;                   ///< level by level, leaves first
   Array<std::uint8_t> directions_;     ///< as boxes_: a bit for each in which all edges there get on
-  Array<std::uint32_t> level_begins_;
+  Array<std::size_t> level_begins_;    ///< boxes may be twice as many as vertices
 };
 
 }  // namespace oblast::noding

@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "base/index.h"
 #include "memory/call_memory.h"
 #include "memory/large_pages.h"
 
@@ -92,7 +93,7 @@ struct Strands {
 
   /// Ends the strand whose points were appended last.
   void close_strand(Winding winding, Group strand_group, Simplicity strand_simplicity = Simplicity::known) {
-    ends.push_back(static_cast<std::uint32_t>(points.size()));
+    ends.push_back(checked_index(points.size(), "vertices of strands"));
     change.push_back(winding);
     group.push_back(strand_group);
     simplicity.push_back(strand_simplicity);

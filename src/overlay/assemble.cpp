@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "memory/large_pages.h"
@@ -67,6 +68,7 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
 }  // namespace
 
 RegionSet assemble(const Rings& rings, const Nesting& nesting) {
+  check_count(rings.points.size(), "vertices of the result", most_vertices);
   Array<Rotation> rotations(rings.size(), Rotation(rings));
   Array<PolygonKey> polygons(nesting.polygon_count);
   for_ranges(rings.size(), tuning::rings_a_task, [&](std::size_t begin, std::size_t end) {
@@ -135,6 +137,7 @@ RegionSet join(Array<RegionSet> parts) {
     const RegionView view = parts[i];
     points += view.points.size();
     contours += view.contour_ends.size();
+    check_count(points, "vertices of the result", most_vertices);
     for (std::uint32_t p = 0; p < view.polygon_count(); ++p)
       polygons.push_back({view.points[view.contour_begin(view.polygon_begin(p))], i, p, 0, 0});
   }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "memory/fetch.h"
@@ -187,6 +188,8 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
 /// Step 2b: the nodes, the numbers of chains, and room for both and for lists.
 void number_nodes(std::span<const NodeRange> ranges, Stops& stops, ChainGraph& graph) {
   const auto& [past, node_count, chain_count, list_size] = ranges.back();
+  // Lists have two entries a chain, so they fit too.
+  check_count(chain_count + stops.loops.size(), "chains", most_chains);
   resize_in_large_pages(stops.ends, node_count);
   resize_in_large_pages(graph.node_vertex, node_count);
   resize_in_large_pages(graph.list_ends, node_count);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <optional>
 
+#include "base/index.h"
 #include "base/parallel.h"
 #include "memory/large_pages.h"
 #include "noding/ring_tree.h"
@@ -164,6 +165,7 @@ void append(Strands& to, Array<Strands>& parts) {
     points += part.points.size();
     count += part.size();
   }
+  check_count(points, "vertices of strands");
   to.resize(points, count);
   for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

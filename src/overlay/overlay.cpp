@@ -2,23 +2,15 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
-#include "base/tuning.h"
+#include "base/check_options.h"
+#include "base/public_call.h"
 #include "classics/window/fast_path.h"
-#include "memory/call_memory.h"
 #include "noding/largest_ulp.h"
 #include "overlay/pipeline.h"
 #include "overlay/validate.h"
 
 namespace oblast {
 namespace {
-
-void check_options(const Options& options) {
-  for (const FillRule* rule : {&options.fill_a, &options.fill_b})
-    if (rule->kind == FillRule::Kind::at_least && rule->depth < 1)
-      throw Error(ErrorCode::bad_option, "at_least needs a depth of 1 or more");
-  if (options.threads < 0) throw Error(ErrorCode::bad_option, "threads must be 0 (all cores) or more");
-}
 
 void report(const RegionView& a, const RegionView* b, const RegionSet& result, Statistics& statistics) {
   statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
@@ -36,8 +28,6 @@ RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operat
                       Control& control) {
   validate(a, 0);
   if (b) validate(*b, 1);
-  const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
-  if (vertices >= 0x7fffffff) throw Error(ErrorCode::too_large, "more than 2^31 - 1 vertices in one call");
   if (b)
     if (std::optional<RegionSet> result = classics::fast_overlay(a, *b, operation, options)) return *std::move(result);
 
@@ -51,30 +41,12 @@ RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operat
 }
 
 RegionSet run(const RegionView& a, const RegionView* b, Operation operation, const Options& options) {
-  check_options(options);
-  Control control(options);
-  Call call;
-  call.control = &control;
+  check_operation(operation);
+  check_overlay_options(options);
+  check_count(a.polygon_count() + (b ? b->polygon_count() : 0), "polygons in one call");
   const std::size_t vertices = a.points.size() + (b ? b->points.size() : 0);
-  if (vertices <= tuning::small_call) {
-    // In memory of its own, on this thread.
-    CallMemory memory;
-    call.memory = &memory;
-    const WorkingFor working(call);
-    RegionSet result = run_in_call(a, b, operation, options, control);
-    control.finish();
-    return result;
-  }
-  call.blocks = kept_blocks(options.workspace, vertices);
-  RegionSet result;
-  run_call(call, options.threads, [&] {
-    {
-      const Share whole(control);
-      result = run_in_call(a, b, operation, options, control);
-    }
-    control.finish();
-  });
-  return result;
+  return public_call(options, options.statistics != nullptr, vertices,
+                     [&](Control& control) { return run_in_call(a, b, operation, options, control); });
 }
 
 }  // namespace

@@ -116,7 +116,9 @@ PipelineResult overlay_strands(noding::Strands strands, Operation operation, con
   const StageClock clock(control, statistics, Stage::assemble);
   const bool touches =
       std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
-  return {assemble(remove_traces(std::move(rings), options.collinear), nesting), touches};
+  rings = remove_traces(std::move(rings), options.collinear);
+  Charge charge(bytes_of_regions(rings.points.size(), rings.size(), nesting.polygon_count));
+  return {std::move(charge), assemble(rings, nesting), touches};
 }
 
 /// What parts did side by side, each stage with its share of the time that passed.
@@ -170,6 +172,7 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   const auto begin = std::chrono::steady_clock::now();
   Array<Statistics> done(parts.size());
   Array<RegionSet> regions(parts.size());
+  Array<Charge> charges(parts.size());
   std::atomic<bool> touches = false;
   const auto vertices = static_cast<double>(strands.points.size());
   Batches batches(std::move(strands), parts);
@@ -185,6 +188,7 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
           const Share share(share_of_all, static_cast<double>(part.points.size()) / vertices);
           PipelineResult result = overlay_strands(std::move(part), operation, options, control, done[i]);
           regions[i] = std::move(result.regions);
+          charges[i] = std::move(result.charge);
           if (result.touches) touches = true;
         });
       }
@@ -194,7 +198,10 @@ PipelineResult overlay_parts(noding::Strands strands, const IndependentParts& pa
   add_parts(done, elapsed.count(), statistics);
   const Share share(Stage::assemble, 1);
   const StageClock clock(control, statistics, Stage::assemble);
-  return {join(std::move(regions)), touches};
+  std::size_t bytes = 0;
+  for (const RegionSet& part : regions) bytes += bytes_of(part);
+  Charge charge(bytes);
+  return {std::move(charge), join(std::move(regions)), touches};
 }
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
+#include "memory/memory_budget.h"
 #include "overlay/control.h"
 
 namespace oblast {
 
 struct PipelineResult {
+  Charge charge;  ///< for the regions
   RegionSet regions;
   bool touches = false;  ///< some vertex is on the boundary more than once
 };

@@ -1,8 +1,12 @@
 #include <oblast/region_set.h>
 
-namespace oblast {
+#include "base/public_call.h"
+#include "overlay/validate.h"
 
-double signed_area(const RegionView& regions) {
+namespace oblast {
+namespace {
+
+double area_of(const RegionView& regions) {
   // Coordinates relative to the contour's first vertex: small terms, little cancellation. Neumaier's sum.
   double sum = 0, compensation = 0;
   for (std::size_t c = 0; c < regions.contour_count(); ++c) {
@@ -17,6 +21,17 @@ double signed_area(const RegionView& regions) {
     }
   }
   return sum + compensation;
+}
+
+}  // namespace
+
+double signed_area(const RegionView& regions) {
+  CallOptions options;
+  options.threads = 1;
+  return public_call(options, regions.points.size(), [&](Control&) {
+    validate(regions, 0);
+    return area_of(regions);
+  });
 }
 
 }  // namespace oblast

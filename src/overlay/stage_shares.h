@@ -8,4 +8,7 @@ inline constexpr double collect_share = 0.1, parting_share = 0.05, parts_share =
 // Of stages 2 to 6. What is left is for assembling.
 inline constexpr double node_share = 0.6, label_share = 0.1, select_share = 0.03, link_share = 0.1, nest_share = 0.05;
 
+// Of a triangulation: the union that comes first.
+inline constexpr double union_share = 0.5;
+
 }  // namespace oblast

@@ -5,10 +5,14 @@
 #include <oblast/region_set.h>
 
 #include <cstddef>
+#include <span>
 
 namespace oblast {
 
 /// Throws Error: bad_offsets, too_large, not_finite, out_of_domain. Cost: linear.
 void validate(const RegionView& operand, std::size_t operand_index);
+
+/// The points of one contour. Throws Error: not_finite, out_of_domain, with the vertex. Cost: linear.
+void validate(std::span<const Point> contour);
 
 }  // namespace oblast

@@ -4,6 +4,7 @@
 
 #include "base/call.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "triangulation/flip.h"
 #include "triangulation/pocket.h"
 
@@ -19,9 +20,9 @@ class Constraining {
         if (mesh.triangles[t].vertex[i] != infinite_vertex) leaving_[mesh.triangles[t].vertex[i]] = half_edge(t, i);
   }
 
-  std::vector<HalfEdge> run() {
-    std::vector<HalfEdge> sides(constraints_.size());
-    std::vector<std::uint32_t> missing;
+  Array<HalfEdge> run() {
+    Array<HalfEdge> sides(constraints_.size());
+    Array<std::uint32_t> missing;
     Steps steps(constraints_.size());
     for (std::uint32_t k = 0; k < constraints_.size(); ++k) {
       steps();
@@ -137,14 +138,14 @@ class Constraining {
 
   Mesh& mesh_;
   std::span<const Constraint> constraints_;
-  std::vector<HalfEdge> leaving_;  ///< by vertex: some half-edge with that origin
+  Array<HalfEdge> leaving_;  ///< by vertex: some half-edge with that origin
   Pocket pocket_;
-  std::vector<HalfEdge> suspects_;
+  Array<HalfEdge> suspects_;
 };
 
 }  // namespace
 
-std::vector<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints) {
+Array<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints) {
   return Constraining(mesh, constraints).run();
 }
 

@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "memory/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {
@@ -21,6 +22,6 @@ struct Constraint {
 /// REQUIRES: `from` and `to` differ, the mesh has triangles. Throws Error(precondition) when constraints
 /// meet other than at ends or a vertex lies inside one; they may repeat. Cost: linear in the constraints,
 /// the sides they cross, and the flips, which on average are about as many.
-std::vector<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints);
+Array<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints);
 
 }  // namespace oblast::triangulation

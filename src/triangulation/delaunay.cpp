@@ -55,7 +55,7 @@ class Insertion {
 
   /// Brings three points that are not collinear to the front of the order. False when there are none.
   bool find_three() {
-    const std::vector<Point>& points = mesh_.points;
+    const Array<Point>& points = mesh_.points;
     std::size_t second = 1, third = 2;
     while (second < points.size() && points[second] == points[0]) ++second;
     if (second >= points.size()) return false;
@@ -80,9 +80,9 @@ class Insertion {
   }
 
   void number_collinear_points() {
-    std::vector<std::uint32_t> along(order_.size());
+    Array<std::uint32_t> along(order_.size());
     std::iota(along.begin(), along.end(), 0U);
-    const std::vector<Point> points = mesh_.points;
+    const Array<Point> points = mesh_.points;
     parallel_sort(along.begin(), along.end(),
                   [&](std::uint32_t i, std::uint32_t j) { return lexicographically_less(points[i], points[j]); });
     for (const std::uint32_t i : along) {
@@ -218,11 +218,11 @@ class Insertion {
     return orientation(points[a], points[c], points[p]) > 0;
   }
 
-  std::vector<std::uint32_t> order_;  ///< indices of the given points
-  Mesh mesh_;                         ///< points: the vertices, then those not yet inserted, in order
+  Array<std::uint32_t> order_;  ///< indices of the given points
+  Mesh mesh_;                   ///< points: the vertices, then those not yet inserted, in order
   std::uint32_t vertices_ = 0;
-  std::vector<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
-  std::uint32_t last_ = 0;               ///< where the next walk begins
+  Array<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
+  std::uint32_t last_ = 0;         ///< where the next walk begins
   Steps flips_;
 };
 

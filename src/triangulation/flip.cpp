@@ -1,6 +1,7 @@
 #include "triangulation/flip.h"
 
 #include "exact/in_circle.h"
+#include "memory/call_memory.h"
 
 namespace oblast::triangulation {
 namespace {
@@ -34,7 +35,7 @@ void make(Mesh& mesh, std::uint32_t t, const std::uint32_t (&vertex)[3], Kept si
 ///    a - b    ->      a t|u b       u = (d, b, c)
 ///     \ /              \ | /        .
 ///      d                 d
-void flip(Mesh& mesh, HalfEdge ab, std::vector<HalfEdge>& leaving, std::vector<HalfEdge>& suspects) {
+void flip(Mesh& mesh, HalfEdge ab, Array<HalfEdge>& leaving, Array<HalfEdge>& suspects) {
   const HalfEdge ba = mesh.twin(ab);
   const std::uint32_t a = mesh.origin(ab), b = mesh.origin(ba), c = mesh.apex(ab), d = mesh.apex(ba);
   const Kept bc = keep(mesh, next(ab)), ca = keep(mesh, previous(ab));
@@ -52,7 +53,7 @@ void flip(Mesh& mesh, HalfEdge ab, std::vector<HalfEdge>& leaving, std::vector<H
 
 }  // namespace
 
-void make_delaunay(Mesh& mesh, std::vector<HalfEdge>& leaving, std::vector<HalfEdge>& suspects) {
+void make_delaunay(Mesh& mesh, Array<HalfEdge>& leaving, Array<HalfEdge>& suspects) {
   while (!suspects.empty()) {
     const HalfEdge h = suspects.back();
     suspects.pop_back();

@@ -1,8 +1,7 @@
 // Lawson's flips in a triangulation with constraints.
 #pragma once
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {
@@ -10,6 +9,6 @@ namespace oblast::triangulation {
 /// Flips sides until each that is not constrained is Delaunay, beginning with the `suspects` (emptied) and
 /// going on to the sides around each flip. Keeps `leaving` (by vertex: some half-edge with that origin)
 /// right. REQUIRES: no suspect ends at infinity.
-void make_delaunay(Mesh& mesh, std::vector<HalfEdge>& leaving, std::vector<HalfEdge>& suspects);
+void make_delaunay(Mesh& mesh, Array<HalfEdge>& leaving, Array<HalfEdge>& suspects);
 
 }  // namespace oblast::triangulation

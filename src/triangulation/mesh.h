@@ -14,7 +14,8 @@
 #include <oblast/point.h>
 
 #include <cstdint>
-#include <vector>
+
+#include "memory/call_memory.h"
 
 namespace oblast::triangulation {
 
@@ -42,9 +43,9 @@ struct Triangle {
 };
 
 struct Mesh {
-  std::vector<Point> points;             ///< by vertex, in the order of insertion; no two are equal
-  std::vector<std::uint32_t> vertex_of;  ///< by given point: its vertex; equal points share one
-  std::vector<Triangle> triangles;       ///< counter-clockwise; ghosts included; none when all points are collinear
+  Array<Point> points;             ///< by vertex, in the order of insertion; no two are equal
+  Array<std::uint32_t> vertex_of;  ///< by given point: its vertex; equal points share one
+  Array<Triangle> triangles;       ///< counter-clockwise; ghosts included; none when all points are collinear
 
   std::uint32_t origin(HalfEdge h) const { return triangles[triangle_of(h)].vertex[side_of(h)]; }
   std::uint32_t target(HalfEdge h) const { return origin(next(h)); }

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::triangulation {
 namespace {
@@ -25,7 +26,7 @@ void Pocket::take(std::uint32_t triangle) {
   mesh_.triangles[triangle].mark = taken_out;
 }
 
-void Pocket::read(const std::vector<HalfEdge>& half_edges, Border& border) {
+void Pocket::read(const Array<HalfEdge>& half_edges, Border& border) {
   border.clear();
   for (const HalfEdge h : half_edges)
     border.push_back({mesh_.origin(h), mesh_.twin(h), no_index, mesh_.is_constrained(h) ? 1U : 0U});
@@ -64,7 +65,7 @@ void Pocket::attach(HalfEdge made, const Side& side, Border& border) {
 }
 
 /// Gives the half-edge along the constraint, from `end` to the border's first vertex.
-HalfEdge Pocket::fill_one(Border& border, std::uint32_t end, std::vector<HalfEdge>& new_sides) {
+HalfEdge Pocket::fill_one(Border& border, std::uint32_t end, Array<HalfEdge>& new_sides) {
   stack_.clear();
   for (std::size_t i = 0; i < border.size(); ++i) {
     Side side = border[i];
@@ -87,7 +88,7 @@ HalfEdge Pocket::fill_one(Border& border, std::uint32_t end, std::vector<HalfEdg
   return stack_.back().beyond;
 }
 
-HalfEdge Pocket::fill(std::vector<HalfEdge>& new_sides) {
+HalfEdge Pocket::fill(Array<HalfEdge>& new_sides) {
   std::reverse(left_.begin(), left_.end());
   read(right_, right_border_);
   read(left_, left_border_);

@@ -9,8 +9,7 @@
 // A side whose two triangles are both taken out dangles: it is twice on the border of the pocket.
 #pragma once
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {
@@ -18,7 +17,7 @@ namespace oblast::triangulation {
 class Pocket {
  public:
   /// `leaving`, by vertex some half-edge with that origin, is kept right.
-  Pocket(Mesh& mesh, std::vector<HalfEdge>& leaving) : mesh_(mesh), leaving_(leaving) {}
+  Pocket(Mesh& mesh, Array<HalfEdge>& leaving) : mesh_(mesh), leaving_(leaving) {}
 
   /// Empties the pocket for another constraint.
   void begin(std::uint32_t from, std::uint32_t to);
@@ -30,7 +29,7 @@ class Pocket {
 
   /// Fills both pockets with triangles that are not yet Delaunay, the constraint between them, and appends
   /// their inner sides to `new_sides`. Gives the constraint's half-edge from `from` to `to`.
-  HalfEdge fill(std::vector<HalfEdge>& new_sides);
+  HalfEdge fill(Array<HalfEdge>& new_sides);
 
  private:
   /// A side of the border that waits for the triangle inside.
@@ -40,18 +39,18 @@ class Pocket {
     std::uint32_t partner;  ///< where it dangles: its other place in the border; else no_index
     std::uint32_t constrained;
   };
-  using Border = std::vector<Side>;
+  using Border = Array<Side>;
 
-  void read(const std::vector<HalfEdge>& half_edges, Border& border);
-  HalfEdge fill_one(Border& border, std::uint32_t end, std::vector<HalfEdge>& new_sides);
+  void read(const Array<HalfEdge>& half_edges, Border& border);
+  HalfEdge fill_one(Border& border, std::uint32_t end, Array<HalfEdge>& new_sides);
   std::uint32_t make_triangle(std::uint32_t x, std::uint32_t y, std::uint32_t z);
   void attach(HalfEdge made, const Side& side, Border& border);
 
   Mesh& mesh_;
-  std::vector<HalfEdge>& leaving_;
+  Array<HalfEdge>& leaving_;
   std::uint32_t from_ = 0, to_ = 0;
-  std::vector<std::uint32_t> free_;  ///< triangles taken out
-  std::vector<HalfEdge> right_, left_;
+  Array<std::uint32_t> free_;  ///< triangles taken out
+  Array<HalfEdge> right_, left_;
   Border right_border_, left_border_, stack_;  ///< borders are counter-clockwise around their pocket
 };
 

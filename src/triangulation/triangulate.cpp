@@ -3,7 +3,11 @@
 #include <oblast/triangulate.h>
 
 #include <algorithm>
+#include <array>
 
+#include "base/public_call.h"
+#include "memory/call_memory.h"
+#include "overlay/stage_shares.h"
 #include "overlay/validate.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
@@ -15,11 +19,11 @@ using namespace triangulation;
 
 /// The sides of all polygons as constraints, and by constraint the polygon on its left.
 struct Sides {
-  std::vector<Constraint> constraints;
-  std::vector<std::uint32_t> polygon;
+  Array<Constraint> constraints;
+  Array<std::uint32_t> polygon;
 };
 
-Sides sides_of(const RegionView& regions, const std::vector<std::uint32_t>& vertex_of) {
+Sides sides_of(const RegionView& regions, const Array<std::uint32_t>& vertex_of) {
   Sides sides;
   sides.constraints.reserve(regions.points.size());
   sides.polygon.reserve(regions.points.size());
@@ -38,10 +42,9 @@ Sides sides_of(const RegionView& regions, const std::vector<std::uint32_t>& vert
 }
 
 /// By triangle the polygon it is in: from each side to all that is connected with its left.
-std::vector<std::uint32_t> polygon_of_triangles(const Mesh& mesh, const Sides& sides,
-                                                const std::vector<HalfEdge>& half_edges) {
-  std::vector<std::uint32_t> polygon(mesh.triangles.size(), Triangulation::none);
-  std::vector<std::uint32_t> pending;
+Array<std::uint32_t> polygon_of_triangles(const Mesh& mesh, const Sides& sides, const Array<HalfEdge>& half_edges) {
+  Array<std::uint32_t> polygon(mesh.triangles.size(), Triangulation::none);
+  Array<std::uint32_t> pending;
   const auto enter = [&](std::uint32_t t, std::uint32_t p) {
     if (polygon[t] != Triangulation::none || mesh.triangles[t].is_ghost()) return;
     polygon[t] = p;
@@ -60,9 +63,8 @@ std::vector<std::uint32_t> polygon_of_triangles(const Mesh& mesh, const Sides& s
 }
 
 /// Numbers the vertices by their first appearance among the given points.
-std::vector<std::uint32_t> number_vertices(const Mesh& mesh, const std::vector<Point>& given,
-                                           std::vector<Point>& points) {
-  std::vector<std::uint32_t> number(mesh.points.size(), Triangulation::none);
+Array<std::uint32_t> number_vertices(const Mesh& mesh, std::span<const Point> given, std::vector<Point>& points) {
+  Array<std::uint32_t> number(mesh.points.size(), Triangulation::none);
   points.reserve(mesh.points.size());
   for (std::size_t i = 0; i < given.size(); ++i) {
     std::uint32_t& n = number[mesh.vertex_of[i]];
@@ -74,14 +76,17 @@ std::vector<std::uint32_t> number_vertices(const Mesh& mesh, const std::vector<P
 }
 
 /// Copies the triangles wanted into the result.
-void write_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& polygon,
-                     const std::vector<std::uint32_t>& vertex_number, TriangleExtent extent, Triangulation& result) {
-  std::vector<std::uint32_t> number(mesh.triangles.size(), Triangulation::none);
+Charge write_triangles(const Mesh& mesh, const Array<std::uint32_t>& polygon, const Array<std::uint32_t>& vertex_number,
+                       TriangleExtent extent, Triangulation& result) {
+  Array<std::uint32_t> number(mesh.triangles.size(), Triangulation::none);
   std::uint32_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const bool wanted = polygon[t] != Triangulation::none || extent == TriangleExtent::convex_hull;
     if (wanted && !mesh.triangles[t].is_ghost()) number[t] = count++;
   }
+  constexpr std::size_t bytes_a_triangle =
+      2 * sizeof(std::array<std::uint32_t, 3>) + sizeof(std::array<bool, 3>) + sizeof(std::uint32_t);
+  Charge charge(count * bytes_a_triangle);
   result.triangles.reserve(count);
   result.neighbours.reserve(count);
   result.is_side.reserve(count);
@@ -97,6 +102,7 @@ void write_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& polygon
     result.is_side.push_back({side(0), side(1), side(2)});
     result.polygon.push_back(polygon[t]);
   }
+  return charge;
 }
 
 RegionSet copy(const RegionView& regions) {
@@ -106,27 +112,40 @@ RegionSet copy(const RegionView& regions) {
   return copied;
 }
 
+Triangulation triangulation_of(RegionSet regions, TriangleExtent extent) {
+  Triangulation result;
+  result.regions = std::move(regions);
+  const Charge regions_and_points(bytes_of(result.regions) + result.regions.points.size() * sizeof(Point));
+  check_count(result.regions.points.size(), "vertices to triangulate", most_mesh_vertices);
+  Mesh mesh = delaunay(result.regions.points);
+  const Array<std::uint32_t> vertex_number = number_vertices(mesh, result.regions.points, result.points);
+  if (mesh.triangles.empty()) return result;
+  const Sides sides = sides_of(result.regions, mesh.vertex_of);
+  const Array<HalfEdge> half_edges = constrain(mesh, sides.constraints);
+  const Array<std::uint32_t> polygon = polygon_of_triangles(mesh, sides, half_edges);
+  const Charge triangles = write_triangles(mesh, polygon, vertex_number, extent, result);
+  return result;
+}
+
 }  // namespace
 
 Triangulation triangulate(const RegionView& regions, const TriangulateOptions& options) {
-  Triangulation result;
-  if (options.input == TriangleInput::result) {
+  check_overlay_options(options);
+  check_enumerator(options.extent, TriangleExtent::convex_hull, "TriangleExtent");
+  check_enumerator(options.input, TriangleInput::result, "TriangleInput");
+  return public_call(options, options.statistics != nullptr, regions.points.size(), [&](Control& control) {
+    if (options.input == TriangleInput::any) {
+      RegionSet united;
+      {
+        const Share share(Share::current(), union_share);
+        united = unite(regions, options);
+      }
+      control.enter(Stage::assemble);
+      return triangulation_of(std::move(united), options.extent);
+    }
     validate(regions, 0);
-    result.regions = copy(regions);
-  } else {
-    result.regions = unite(regions, options.unite);
-  }
-  if (result.regions.points.size() >= (1U << 29))
-    throw Error(ErrorCode::too_large, "more than 2^29 vertices to triangulate");
-
-  Mesh mesh = delaunay(result.regions.points);
-  const std::vector<std::uint32_t> vertex_number = number_vertices(mesh, result.regions.points, result.points);
-  if (mesh.triangles.empty()) return result;
-  const Sides sides = sides_of(result.regions, mesh.vertex_of);
-  const std::vector<HalfEdge> half_edges = constrain(mesh, sides.constraints);
-  const std::vector<std::uint32_t> polygon = polygon_of_triangles(mesh, sides, half_edges);
-  write_triangles(mesh, polygon, vertex_number, options.extent, result);
-  return result;
+    return triangulation_of(copy(regions), options.extent);
+  });
 }
 
 }  // namespace oblast

@@ -1,9 +1,11 @@
 // The program from outside: help, results, reports, errors and exit codes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "apps/program_run.h"
+#include "oblast/call_options.h"
 
 namespace oblast::test {
 namespace {
@@ -47,6 +49,11 @@ TEST(CommandLine, FaultsOfTheCallAreExitCodeTwoAndNameTheHelp) {
       {{"union", "-", "-o", out, "--fill", "odd"}, "evenodd"},
       {{"union", "-", "-o", out, "--engine", "weiler"}, "leonov-nikitin"},
       {{"union", "-", "-o", out, "--threads", "-1"}, "--threads"},
+      {{"union", "-", "-o", out, "--threads", "100000"}, "1024"},
+      {{"union", "-", "-o", out, "--memory", "much"}, "4GiB"},
+      {{"union", "-", "-o", out, "--memory", "4 gigabytes"}, "4GiB"},
+      {{"union", "-", "-o", out, "--memory", "-1GiB"}, "4GiB"},
+      {{"union", "-", "-o", out, "--memory", "0"}, "4GiB"},
       {{"overlay", "minus", "a.wkt", "b.wkt", "-o", out}, "symdifference"},
       {{"overlay", "union", "a.wkt", "-o", out}, "B"},
       {{"generate", "fires"}, "--output"},
@@ -65,6 +72,54 @@ TEST(CommandLine, FaultsOfTheCallAreExitCodeTwoAndNameTheHelp) {
 TEST(CommandLine, ContradictionsAreExitCodeTwo) {
   EXPECT_EQ(oblast_program({"overlay", "union", "-", "-", "-o", "-"}, two_squares).code, 2);
   EXPECT_EQ(oblast_program({"union", "-", "-o", "-", "--json"}, two_squares).code, 2);
+}
+
+TEST(Memory, SizesAreReadInTheirUnits) {
+  const std::pair<const char*, std::size_t> sizes[] = {
+      {"1", 1},
+      {"1B", 1},
+      {"1000", 1000},
+      {"2KiB", 2048},
+      {"3MiB", 3u << 20},
+      {"4GiB", std::size_t{4} << 30},
+      {"1TiB", std::size_t{1} << 40},
+      {"5KB", 5000},
+      {"6MB", 6000000},
+      {"7GB", 7000000000},
+      {"1.5GiB", std::size_t{3} << 29},
+      {"500 MB", 500000000},
+      {"0.5KiB", 512},
+  };
+  for (const auto& [word, bytes] : sizes) EXPECT_EQ(app::parse_bytes(word), bytes) << word;
+  for (const char* const word : {"", "GiB", "4Gib", "4GiBs", "1e3", "nan", "inf", "0", "0.5", "-4GiB", "99999999TiB"})
+    EXPECT_THROW(app::parse_bytes(word), CLI::ValidationError) << word;
+}
+
+// Every command that computes ends with the limit's error and writes nothing.
+TEST(Memory, ALimitThatIsTooSmallIsAnErrorThatSaysIt) {
+  const Folder folder;
+  const std::string in = folder.path("in.wkt"), out = folder.path("out.wkt");
+  std::string text = "POLYGON ((0 0";
+  for (int i = 1; i < 3000; ++i) text += fmt::format(", {} {}", i, i % 2 ? 1000 : 1);
+  text += ", 3000 0, 0 0))";
+  write_file(in, text);
+  const std::vector<Words> calls = {
+      {"union", in, "-o", out},
+      {"overlay", "union", in, in, "-o", out},
+      {"triangulate", in, "-o", out},
+      {"hull", in, "-o", out},
+      {"classic", "weiler-atherton", "union", in, in, "-o", out},
+      {"compare", in, in},
+      {"layers", in},
+  };
+  for (Words words : calls) {
+    words.insert(words.end(), {"--memory", "20B"});
+    const ProgramRun run = oblast_program(words);
+    EXPECT_EQ(run.code, 1) << words.front();
+    EXPECT_TRUE(contains(run.err, "limit of 20 bytes")) << words.front() << ": " << run.err;
+    EXPECT_EQ(run.out, "") << words.front();
+  }
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"in.wkt"});
 }
 
 TEST(Union, OfWktGoesFromStandardInputToStandardOutput) {

@@ -59,7 +59,7 @@ TEST(Passive, contoursInOrAcrossOthersAreActive) {
   const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
   LargeArray<Winding> right(graph.chains.size(), Winding{});
   const std::vector<std::uint32_t> live = live_chains(graph);
-  const std::vector<std::uint32_t> active = vatti::label_passive(graph, live, right);
+  const auto active = vatti::label_passive(graph, live, right);
   ASSERT_EQ(active.size(), live.size() - 1);
   for (const std::uint32_t c : active) EXPECT_LT(box_of(graph, c).x0, 100);
 }
@@ -78,7 +78,7 @@ TEST(Passive, noBoxOfAPassiveContourMeetsAnother) {
     const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
     const std::vector<std::uint32_t> live = live_chains(graph);
     LargeArray<Winding> right(graph.chains.size(), Winding{});
-    const std::vector<std::uint32_t> active = vatti::label_passive(graph, live, right);
+    const auto active = vatti::label_passive(graph, live, right);
     const LargeArray<Winding> expected = leonov_nikitin::label(graph);
     for (const std::uint32_t c : live) {
       if (std::binary_search(active.begin(), active.end(), c)) continue;

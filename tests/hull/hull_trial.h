@@ -8,6 +8,9 @@
 
 namespace oblast::tests {
 
+/// By the monotone chain.
+std::vector<Point> chain_hull(const std::vector<Point>& points);
+
 /// Empty when Lee's scan itself, and `oblast::hull`, give the monotone chain's corners; else what is wrong.
 /// `ring`: simple, no repeated neighbours.
 std::string compare_hulls(const std::vector<Point>& ring);

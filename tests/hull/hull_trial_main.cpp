@@ -80,7 +80,7 @@ void time_a_vertex(long largest) {
       using Ring = std::vector<Point>;
       const double lee = nanoseconds_a_vertex(rings, [](const Ring& r) { lee_hull(r, turn_at_smallest(r)); });
       const double checked = nanoseconds_a_vertex(rings, [](const Ring& r) { hull(std::span<const Point>(r)); });
-      const double chain = nanoseconds_a_vertex(rings, [](Ring r) { monotone_chain_hull(r); });
+      const double chain = nanoseconds_a_vertex(rings, [](const Ring& r) { chain_hull(r); });
       std::printf("%-16s %8ld %16.1f %16.1f %16.1f\n", kind.name, n, lee, checked, chain);
       std::fflush(stdout);
     }

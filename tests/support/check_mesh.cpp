@@ -105,7 +105,7 @@ Integer doubled_area(const RegionSet& regions, const std::vector<IntegerPoint>& 
 /// The public arrays as a mesh, with ghosts, so that the same checks apply.
 Mesh to_mesh(const Triangulation& t) {
   Mesh m;
-  m.points = t.points;
+  m.points.assign(t.points.begin(), t.points.end());
   for (std::size_t i = 0; i < t.triangles.size(); ++i) {
     Triangle triangle{{t.triangles[i][0], t.triangles[i][1], t.triangles[i][2]}, 0, {no_index, no_index, no_index}, 0};
     for (std::uint32_t s = 0; s < 3; ++s) triangle.constrained |= (t.is_side[i][s] ? 1U : 0U) << s;

@@ -22,7 +22,7 @@ using triangulation::Mesh;
 void expect_constrained(const std::vector<Point>& points, std::vector<Constraint> constraints) {
   Mesh mesh = delaunay(points);
   for (Constraint& c : constraints) c = {mesh.vertex_of[c.from], mesh.vertex_of[c.to]};
-  const std::vector<HalfEdge> sides = constrain(mesh, constraints);
+  const auto sides = constrain(mesh, constraints);
   const auto fault = check_mesh(mesh, constraints);
   ASSERT_FALSE(fault) << *fault;
   for (std::size_t k = 0; k < sides.size(); ++k) {

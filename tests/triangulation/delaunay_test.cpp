@@ -124,14 +124,14 @@ TEST(Delaunay, ofAllMagnitudes) {
 
 TEST(SpatialOrder, isAPermutation) {
   for (const std::size_t n : {0, 1, 2, 15, 16, 1000, 5000}) {
-    std::vector<std::uint32_t> order = triangulation::spatial_order(uniform(n, n + 1));
+    auto order = triangulation::spatial_order(uniform(n, n + 1));
     std::sort(order.begin(), order.end());
     for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(order[i], i);
     ASSERT_EQ(order.size(), n);
   }
 }
 
-double length_of(const std::vector<Point>& points, const std::vector<std::uint32_t>& order) {
+double length_of(const std::vector<Point>& points, std::span<const std::uint32_t> order) {
   double length = 0;
   for (std::size_t i = 1; i < order.size(); ++i)
     length += std::hypot(points[order[i]].x - points[order[i - 1]].x, points[order[i]].y - points[order[i - 1]].y);

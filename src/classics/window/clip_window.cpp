@@ -6,6 +6,7 @@
 #include "classics/operand.h"
 #include "classics/settle.h"
 #include "classics/window/window_clip.h"
+#include "memory/block_resource.h"
 #include "overlay/validate.h"
 
 namespace oblast {
@@ -18,12 +19,12 @@ struct ClipWindow::Prepared {
 namespace {
 
 std::optional<classics::Window> prepare(const RegionView& window) {
-  validate(window, 1);
   const classics::Operand operand{window, 1, "clip window", "overlay"};
   return classics::Window::of(operand.one_convex_contour().points);
 }
 
-RegionSet copy(const RegionView& v) {
+RegionSet checked_copy(const RegionView& v) {
+  validate(v, 1);
   return {{v.points.begin(), v.points.end()},
           {v.contour_ends.begin(), v.contour_ends.end()},
           {v.polygon_ends.begin(), v.polygon_ends.end()}};
@@ -37,8 +38,10 @@ RegionSet rectangle(double x0, double y0, double x1, double y1) {
 
 }  // namespace
 
-ClipWindow::ClipWindow(const RegionView& window)
-    : prepared_(std::make_unique<const Prepared>(Prepared{copy(window), prepare(window)})) {}
+ClipWindow::ClipWindow(const RegionView& window, const CallOptions& options)
+    : prepared_(public_call(options, window.points.size(), [&](Control&) {
+        return std::make_unique<const Prepared>(Prepared{checked_copy(window), prepare(window)});
+      })) {}
 
 ClipWindow::ClipWindow(double x0, double y0, double x1, double y1) : ClipWindow(rectangle(x0, y0, x1, y1)) {}
 
@@ -46,20 +49,24 @@ ClipWindow::~ClipWindow() = default;
 ClipWindow::ClipWindow(ClipWindow&&) noexcept = default;
 ClipWindow& ClipWindow::operator=(ClipWindow&&) noexcept = default;
 
-RegionSet ClipWindow::clip(const RegionView& subject, ClassicReport* report) const {
+RegionSet ClipWindow::clip(const RegionView& subject, ClassicReport* report, const CallOptions& options) const {
   ClassicReport unused;
   ClassicReport& done = report ? *report : unused;
   done = {};
-  validate(subject, 0);
-  if (prepared_->window) {
-    std::array<std::byte, classics::scratch_bytes> scratch;
-    std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size());
-    classics::WindowClip clip(subject, classics::kind_of(subject), *prepared_->window, &memory);
-    std::optional<RegionSet> result = clip.run(Operation::intersection);
-    done.meetings = clip.crossing_count();
-    if (result) return *std::move(result);
-  }
-  return classics::settle(subject, prepared_->regions, Operation::intersection, done);
+  return public_call(options, subject.points.size() + prepared_->regions.points.size(), [&](Control&) {
+    validate(subject, 0);
+    if (prepared_->window) {
+      std::array<std::byte, classics::scratch_bytes> scratch;
+      BlockResource blocks;
+      std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size(), &blocks);
+      classics::WindowClip clip(subject, classics::kind_of(subject), *prepared_->window, &memory);
+      std::optional<RegionSet> result = clip.run(Operation::intersection);
+      done.meetings = clip.crossing_count();
+      if (result) return *std::move(result);
+    }
+    return classics::settle(subject, prepared_->regions, Operation::intersection, done,
+                            classics::overlay_options(options));
+  });
 }
 
 }  // namespace oblast

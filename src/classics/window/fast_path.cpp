@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "classics/window/window_clip.h"
+#include "memory/block_resource.h"
 
 namespace oblast::classics {
 namespace {
@@ -25,7 +26,8 @@ std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, 
   if (!one_b && !(intersection && one_a)) return {};
 
   std::array<std::byte, scratch_bytes> scratch;
-  std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size());
+  BlockResource blocks;
+  std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size(), &blocks);
   std::optional<Window> window;
   if (one_b) window = Window::of(b.contour(0), &memory);
   const bool exchanged = !window && intersection && one_a;

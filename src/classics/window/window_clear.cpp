@@ -5,6 +5,7 @@
 #include "classics/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::classics {
 
@@ -72,8 +73,8 @@ bool WindowClip::near_pairs_are_clear() const {
     Index first, last;  // runs
     bool core;
   };
-  std::vector<Run> runs;
-  std::vector<Block> blocks;
+  Array<Run> runs;
+  Array<Block> blocks;
   std::size_t budget = 0;
   for (const Stretch& s : stretches_) {
     const Ring& ring = rings_[s.ring];

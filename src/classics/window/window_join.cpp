@@ -1,9 +1,13 @@
 // From crossings to the result.
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
+#include "base/index.h"
 #include "classics/contours.h"
 #include "classics/window/window_clip.h"
+#include "memory/call_memory.h"
+#include "memory/memory_budget.h"
 #include "overlay/simple_ring.h"
 
 namespace oblast::classics {
@@ -22,6 +26,7 @@ std::optional<RegionSet> WindowClip::run(Operation operation) {
     add_uncrossed(result);
   else if (crossings_.empty())
     add_uncrossed_pair(operation, result);
+  const Charge charge(2 * bytes_of(result));  // with the one in order
   return finish(operation, std::move(result));
 }
 
@@ -79,7 +84,7 @@ void WindowClip::join(Operation operation, RegionSet& result) {
       k = perimeter_[next];
       add_perimeter(to, crossings_[k], along, result);
     }
-    result.contour_ends.push_back(static_cast<Index>(result.points.size()));
+    result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
   }
 }
 
@@ -146,7 +151,7 @@ std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet resul
   const auto less = lexicographically_less;
   const std::vector<Index> ends = std::move(result.contour_ends);
   Index begin = 0;
-  std::vector<std::span<Point>> contours;
+  Array<std::span<Point>> contours;
   for (const Index end : ends) {
     contours.push_back(std::span(result.points).subspan(begin, end - begin));
     begin = end;
@@ -177,7 +182,7 @@ std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet resul
   std::iota(sorted.polygon_ends.begin(), sorted.polygon_ends.end(), Index{1});
   for (const auto& contour : contours) {
     sorted.points.insert(sorted.points.end(), contour.begin(), contour.end());
-    sorted.contour_ends.push_back(static_cast<Index>(sorted.points.size()));
+    sorted.contour_ends.push_back(checked_index(sorted.points.size(), "vertices of the result", most_vertices));
   }
   return sorted;
 }
@@ -189,13 +194,13 @@ void WindowClip::add_ring(const Ring& ring, bool counter_clockwise, RegionSet& r
     const Point& p = ring.points[reversed ? n - 1 - i : i];
     result.points.push_back({p.x + 0.0, p.y + 0.0});
   }
-  result.contour_ends.push_back(static_cast<Index>(result.points.size()));
+  result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
 }
 
 void WindowClip::add_window(bool counter_clockwise, RegionSet& result) const {
   for (Index i = 0; i < window_.size(); ++i)
     result.points.push_back(window_.corner(counter_clockwise ? i : window_.size() - 1 - i));
-  result.contour_ends.push_back(static_cast<Index>(result.points.size()));
+  result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
 }
 
 }  // namespace oblast::classics

@@ -1,6 +1,7 @@
 #include "engines/skvortsov/classify.h"
 
 #include "base/call.h"
+#include "memory/call_memory.h"
 #include "overlay/select.h"
 
 namespace oblast::skvortsov {
@@ -23,7 +24,7 @@ class Eating {
     result_.winding.push_back({});
     if (ghost < triangles.size()) flood(ghost, 0);
 
-    std::vector<HalfEdge> border;
+    Array<HalfEdge> border;
     while (!border_.empty()) {
       border.swap(border_);
       border_.clear();
@@ -68,17 +69,17 @@ class Eating {
   const ChainGraph& graph_;
   const MarkedMesh& marked_;
   Classification result_;
-  std::vector<std::uint32_t> pending_;
+  Array<std::uint32_t> pending_;
   Steps steps_;
-  std::vector<HalfEdge> border_;  ///< marked sides whose left has been eaten and whose right has not
+  Array<HalfEdge> border_;  ///< marked sides whose left has been eaten and whose right has not
 };
 
 }  // namespace
 
 Classification classify(const ChainGraph& graph, const MarkedMesh& marked) { return Eating(graph, marked).run(); }
 
-std::vector<bool> select_faces(const Classification& classification, Operation operation, const Options& options) {
-  std::vector<bool> kept;
+Array<bool> select_faces(const Classification& classification, Operation operation, const Options& options) {
+  Array<bool> kept;
   kept.reserve(classification.winding.size());
   for (const Winding& w : classification.winding)
     kept.push_back(admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b)));

@@ -11,21 +11,20 @@
 
 #include <oblast/options.h>
 
-#include <vector>
-
 #include "engines/skvortsov/marked_mesh.h"
+#include "memory/call_memory.h"
 
 namespace oblast::skvortsov {
 
 struct Classification {
-  std::vector<std::uint32_t> face;  ///< by triangle: the flood that ate it; 0 is the outside
-  std::vector<Winding> winding;     ///< by face: winding numbers of A and B
+  Array<std::uint32_t> face;  ///< by triangle: the flood that ate it; 0 is the outside
+  Array<Winding> winding;     ///< by face: winding numbers of A and B
 };
 
 /// Cost: O(n).
 Classification classify(const ChainGraph& graph, const MarkedMesh& marked);
 
 /// Step 3: the truth table, by face.
-std::vector<bool> select_faces(const Classification& classification, Operation operation, const Options& options);
+Array<bool> select_faces(const Classification& classification, Operation operation, const Options& options);
 
 }  // namespace oblast::skvortsov

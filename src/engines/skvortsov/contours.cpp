@@ -2,6 +2,7 @@
 
 #include "base/call.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::skvortsov {
 namespace {
@@ -111,12 +112,12 @@ class Walking {
   const Mesh& mesh_;
   const Kept& kept_;
   bool parts_walks_;
-  std::vector<std::uint32_t> polygon_;  ///< by triangle
-  std::vector<bool> walked_;            ///< by half-edge
-  std::vector<std::uint32_t> pending_;
+  Array<std::uint32_t> polygon_;  ///< by triangle
+  Array<bool> walked_;            ///< by half-edge
+  Array<std::uint32_t> pending_;
   Steps steps_;
-  std::vector<std::uint32_t> path_;           ///< vertices of the walk, as far as no contour was parted off
-  std::vector<std::uint32_t> place_on_path_;  ///< by vertex
+  Array<std::uint32_t> path_;           ///< vertices of the walk, as far as no contour was parted off
+  Array<std::uint32_t> place_on_path_;  ///< by vertex
   Contours contours_;
 };
 

@@ -12,20 +12,19 @@
 // contours around one connected set of kept triangles are one polygon.
 #pragma once
 
-#include <vector>
-
 #include "engines/skvortsov/marked_mesh.h"
+#include "memory/call_memory.h"
 #include "overlay/nesting.h"
 #include "overlay/rings.h"
 
 namespace oblast::skvortsov {
 
 /// By triangle: kept in the result or not.
-using Kept = std::vector<bool>;
+using Kept = Array<bool>;
 
 struct Contours {
-  std::vector<std::uint32_t> vertices;  ///< by the mesh; contours one after the other
-  Array<std::uint32_t> ends;            ///< by contour
+  Array<std::uint32_t> vertices;  ///< by the mesh; contours one after the other
+  Array<std::uint32_t> ends;      ///< by contour
   Nesting nesting;
 };
 

@@ -4,6 +4,7 @@
 #include "engines/skvortsov/classify.h"
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
+#include "memory/call_memory.h"
 #include "overlay/stage_shares.h"
 
 namespace oblast::skvortsov {
@@ -11,7 +12,7 @@ namespace {
 
 using triangulation::triangle_of;
 
-Kept kept_triangles(const Classification& classes, const std::vector<bool>& kept_faces) {
+Kept kept_triangles(const Classification& classes, const Array<bool>& kept_faces) {
   Kept kept(classes.face.size());
   for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = kept_faces[classes.face[t]];
   return kept;

@@ -1,8 +1,8 @@
 #include "engines/skvortsov/marked_mesh.h"
 
-#include <oblast/error.h>
-
 #include "base/call.h"
+#include "base/index.h"
+#include "memory/call_memory.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 
@@ -13,10 +13,10 @@ using namespace triangulation;
 
 /// The edges of all live chains over points of which each is named once.
 struct Sides {
-  std::vector<Point> points;
-  std::vector<std::uint32_t> node;   ///< by point
-  std::vector<Constraint> edges;     ///< by points
-  std::vector<std::uint32_t> chain;  ///< by edge
+  Array<Point> points;
+  Array<std::uint32_t> node;   ///< by point
+  Array<Constraint> edges;     ///< by points
+  Array<std::uint32_t> chain;  ///< by edge
 };
 
 class SideCollector {
@@ -34,8 +34,7 @@ class SideCollector {
 
  private:
   std::uint32_t add_point(std::uint32_t vertex, std::uint32_t node) {
-    if (sides_.points.size() >= (1U << 29))
-      throw Error(ErrorCode::too_large, "more than 2^29 vertices for the engine skvortsov");
+    check_count(sides_.points.size() + 1, "vertices to triangulate", most_mesh_vertices);
     sides_.points.push_back(graph_.point(vertex));
     sides_.node.push_back(node);
     return static_cast<std::uint32_t>(sides_.points.size() - 1);
@@ -63,7 +62,7 @@ class SideCollector {
   }
 
   const ChainGraph& graph_;
-  std::vector<std::uint32_t> point_of_node_;
+  Array<std::uint32_t> point_of_node_;
   Sides sides_;
 };
 
@@ -80,7 +79,7 @@ MarkedMesh mark_mesh(const ChainGraph& graph) {
   if (marked.mesh.triangles.empty()) return marked;
 
   for (Constraint& edge : sides.edges) edge = {marked.mesh.vertex_of[edge.from], marked.mesh.vertex_of[edge.to]};
-  const std::vector<HalfEdge> half_edges = constrain(marked.mesh, sides.edges);
+  const Array<HalfEdge> half_edges = constrain(marked.mesh, sides.edges);
   Steps steps(half_edges.size());
   for (std::size_t k = 0; k < half_edges.size(); ++k) {
     steps();

@@ -1,8 +1,7 @@
 // Step 1: the triangulation whose sides know how often each operand passes along them.
 #pragma once
 
-#include <vector>
-
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 #include "triangulation/mesh.h"
 
@@ -10,9 +9,9 @@ namespace oblast::skvortsov {
 
 struct MarkedMesh {
   triangulation::Mesh mesh;
-  std::vector<Descriptor> mark;     ///< by half-edge: the chain along it in its direction; none without one
-  std::vector<std::uint32_t> node;  ///< by vertex: its node in the graph; none inside chains
-  std::vector<triangulation::HalfEdge> first_side;  ///< by chain: the half-edge of its first edge; none if not live
+  Array<Descriptor> mark;                     ///< by half-edge: the chain along it in its direction; none without one
+  Array<std::uint32_t> node;                  ///< by vertex: its node in the graph; none inside chains
+  Array<triangulation::HalfEdge> first_side;  ///< by chain: the half-edge of its first edge; none if not live
 };
 
 /// Every vertex of a live chain becomes a vertex, every edge a constraint. Throws Error(too_large).

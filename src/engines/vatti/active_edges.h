@@ -12,10 +12,10 @@
 #include <oblast/point.h>
 
 #include <cstdint>
-#include <vector>
 
 #include "engines/vatti/bounds.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::vatti {
 
@@ -66,7 +66,7 @@ class ActiveEdges {
   void replace_child(Slot parent, Slot child, Slot by);
 
   std::span<const Point> points_;
-  std::vector<Node> nodes_;
+  Array<Node> nodes_;
   Slot free_ = none;  ///< head of the slots to use again, linked by `next`
   std::uint32_t random_ = 0x9e3779b9;
 };

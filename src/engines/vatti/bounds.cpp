@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 
 namespace oblast::vatti {
 namespace {
@@ -49,8 +50,8 @@ class Finder {
     add_bound(begin, chain.last, stop, end_stop, c, rightward);
   }
 
-  std::vector<FoundBound>& bounds() { return bounds_; }
-  std::vector<PlacedStop>& stops() { return stops_; }
+  Array<FoundBound>& bounds() { return bounds_; }
+  Array<PlacedStop>& stops() { return stops_; }
   std::uint32_t stop_count() const { return stop_count_; }  ///< those of dead nodes included
 
  private:
@@ -77,20 +78,20 @@ class Finder {
   }
 
   const ChainGraph& graph_;
-  std::vector<std::uint8_t> is_stop_;  ///< by node
+  Array<std::uint8_t> is_stop_;  ///< by node
   std::uint32_t stop_count_;
-  std::vector<FoundBound> bounds_;
-  std::vector<PlacedStop> stops_;
+  Array<FoundBound> bounds_;
+  Array<PlacedStop> stops_;
 };
 
 /// Step 2: the stops in order, each with room for the bounds that start there.
 /// `place_of` gets, by number of a stop, its place in the order.
-std::vector<Stop> order_stops(Finder& found, std::vector<std::uint32_t>& place_of) {
-  std::vector<PlacedStop>& placed = found.stops();
+Array<Stop> order_stops(Finder& found, Array<std::uint32_t>& place_of) {
+  Array<PlacedStop>& placed = found.stops();
   parallel_sort(placed.begin(), placed.end(),
                 [](const PlacedStop& r, const PlacedStop& s) { return lexicographically_less(r.p, s.p); });
   place_of.resize(found.stop_count());
-  std::vector<Stop> stops(placed.size() + 1);
+  Array<Stop> stops(placed.size() + 1);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     stops[i].p = placed[i].p;
     place_of[placed[i].stop] = static_cast<std::uint32_t>(i);
@@ -109,7 +110,7 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
     steps();
     found.add(c);
   }
-  std::vector<std::uint32_t> place_of;
+  Array<std::uint32_t> place_of;
   Bounds result;
   result.stops = order_stops(found, place_of);
 

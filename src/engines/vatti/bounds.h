@@ -11,8 +11,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::vatti {
@@ -35,8 +35,8 @@ struct Stop {
 };
 
 struct Bounds {
-  std::vector<Bound> bounds;  ///< by the stop where they start; at one stop from below to above
-  std::vector<Stop> stops;    ///< in lexicographic order, and one more behind the last
+  Array<Bound> bounds;  ///< by the stop where they start; at one stop from below to above
+  Array<Stop> stops;    ///< in lexicographic order, and one more behind the last
 
   std::size_t stop_count() const { return stops.size() - 1; }
   std::span<const Bound> starting_at(std::size_t stop) const {

@@ -5,6 +5,8 @@
 #include <bit>
 #include <limits>
 
+#include "base/index.h"
+
 namespace oblast::vatti {
 namespace {
 
@@ -29,7 +31,7 @@ void ContourTrees::add(std::span<const Point> contour) {
     if (points_.size() == first || points_.back() != p) points_.push_back(p);
   while (points_.size() > first + 1 && points_.back() == points_[first]) points_.pop_back();
   const auto count = static_cast<std::uint32_t>(points_.size()) - first;
-  const auto first_node = static_cast<std::uint32_t>(nodes_.size());
+  const std::uint32_t first_node = checked_index(nodes_.size(), "boxes of contours");
   if (count < 3) {
     points_.resize(first);
     contours_.push_back({first, 0, first_node, 0, RingShape::tangled});

@@ -9,9 +9,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/tuning.h"
+#include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 #include "overlay/simple_ring.h"
 
@@ -60,9 +60,9 @@ class ContourTrees {
   void add(std::span<const Point> contour);
   void add_tree(std::span<const Point> ring, std::uint32_t leaf_count);
 
-  std::vector<Point> points_;
-  std::vector<Box> nodes_;
-  std::vector<Entry> contours_;
+  Array<Point> points_;
+  Array<Box> nodes_;
+  Array<Entry> contours_;
 };
 
 }  // namespace oblast::vatti

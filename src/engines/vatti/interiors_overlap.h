@@ -14,9 +14,9 @@
 
 #include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "engines/vatti/contour_trees.h"
+#include "memory/call_memory.h"
 
 namespace oblast::vatti {
 
@@ -31,8 +31,8 @@ class InteriorTest {
   Meeting boundaries(const ContourTree& p, const ContourTree& q);
   bool inside(const Point& x, const ContourTree& contour);
 
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< nodes to compare
-  std::vector<std::uint32_t> nodes_;                            ///< nodes to look into
+  Array<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< nodes to compare
+  Array<std::uint32_t> nodes_;                            ///< nodes to look into
 };
 
 }  // namespace oblast::vatti

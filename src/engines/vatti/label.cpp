@@ -11,6 +11,7 @@
 #include "engines/vatti/active_edges.h"
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
+#include "memory/call_memory.h"
 
 namespace oblast::vatti {
 namespace {
@@ -68,7 +69,7 @@ class Scan {
 
   const Bounds bounds_;
   LargeArray<Winding>& right_;
-  std::vector<Slot> finishing_;  ///< by stop: slot of an active bound that finishes there
+  Array<Slot> finishing_;  ///< by stop: slot of an active bound that finishes there
   ActiveEdges active_;
 };
 
@@ -76,7 +77,7 @@ class Scan {
 
 LargeArray<Winding> label(const ChainGraph& graph) {
   LargeArray<Winding> right(graph.chains.size(), Winding{});
-  std::vector<std::uint32_t> chains;
+  Array<std::uint32_t> chains;
   std::size_t loops = 0;
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {
     if (!graph.is_live(c)) continue;

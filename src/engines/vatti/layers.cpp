@@ -12,11 +12,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/call.h"
+#include "base/public_call.h"
 #include "base/tuning.h"
 #include "engines/vatti/contour_trees.h"
 #include "engines/vatti/interiors_overlap.h"
 #include "engines/vatti/raster_pyramid.h"
+#include "memory/call_memory.h"
 #include "overlay/validate.h"
 
 namespace oblast {
@@ -27,7 +28,10 @@ using vatti::ContourTrees;
 class FirstFit {
  public:
   FirstFit(const ContourTrees& contours, LayerRule rule)
-      : contours_(contours), rule_(rule), raster_(whole_box(contours), contours.size()) {
+      : contours_(contours),
+        rule_(rule),
+        charge_(contours.size() * sizeof(std::uint32_t)),
+        raster_(whole_box(contours), contours.size()) {
     result_.layer.assign(contours.size(), 0);
     result_.count = contours.size() > 0;
   }
@@ -75,19 +79,23 @@ class FirstFit {
 
   const ContourTrees& contours_;
   LayerRule rule_;
+  Charge charge_;  ///< for the result
   vatti::RasterPyramid raster_;
   vatti::InteriorTest test_;
-  std::vector<std::uint32_t> placed_;     ///< contours in the raster, by their number there
-  std::vector<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken
+  Array<std::uint32_t> placed_;     ///< contours in the raster, by their number there
+  Array<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken
   Layers result_;
 };
 
 }  // namespace
 
-Layers layers(const RegionView& operand, LayerRule rule) {
-  validate(operand, 0);
-  const ContourTrees contours(operand);
-  return FirstFit(contours, rule).run();
+Layers layers(const RegionView& operand, LayerRule rule, const CallOptions& options) {
+  check_enumerator(rule, LayerRule::boxes, "LayerRule");
+  return public_call(options, operand.points.size(), [&](Control&) {
+    validate(operand, 0);
+    const ContourTrees contours(operand);
+    return FirstFit(contours, rule).run();
+  });
 }
 
 }  // namespace oblast

@@ -8,6 +8,7 @@
 #include "base/call.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
+#include "memory/call_memory.h"
 #include "overlay/disjoint_sets.h"
 
 namespace oblast::vatti {
@@ -94,7 +95,7 @@ class CountRaster {
   Extent whole_;
   std::uint32_t side_;
   double scale_x_, scale_y_;
-  std::vector<std::int64_t> counts_;
+  Array<std::int64_t> counts_;
 };
 
 /// Counter-clockwise, by the turn at the smallest vertex; a noded loop has no straight turn there.
@@ -108,13 +109,13 @@ bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
 
 }  // namespace
 
-std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
-                                         LargeArray<Winding>& right) {
+Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
+                                   LargeArray<Winding>& right) {
   // Extents by component: a closed chain without nodes has one of its own, numbered behind the nodes.
   DisjointSets components(graph.node_count());
   for (const std::uint32_t c : chains)
     if (!graph.chains[c].is_loop()) components.unite(graph.chains[c].from, graph.chains[c].to);
-  std::vector<Extent> extents(graph.node_count());
+  Array<Extent> extents(graph.node_count());
   Extent whole;
   Steps steps(chains.size());
   for (const std::uint32_t c : chains) {
@@ -131,7 +132,7 @@ std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<cons
     if (!e.is_empty()) raster.add(raster.cells(e));
   raster.sum_up();
 
-  std::vector<std::uint32_t> active;
+  Array<std::uint32_t> active;
   auto extent_of_loop = extents.begin() + static_cast<std::ptrdiff_t>(graph.node_count());
   for (const std::uint32_t c : chains) {
     steps();

@@ -14,15 +14,15 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::vatti {
 
 /// Of the given chains, all that are live, labels the passive contours in `right` and returns the others, in order.
 /// Cost: O(n + k log k), n vertices of these chains, k chains.
-std::vector<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
-                                         LargeArray<Winding>& right);
+Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
+                                   LargeArray<Winding>& right);
 
 }  // namespace oblast::vatti

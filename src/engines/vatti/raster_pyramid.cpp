@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/index.h"
+
 namespace oblast::vatti {
 namespace {
 
@@ -55,7 +57,7 @@ void RasterPyramid::insert(const Box& box) {
     const std::uint32_t shift = levels_ - l;
     const std::uint32_t quarter = (row >> shift & 1) << 1 | (column >> shift & 1);
     if (cells_[cell].children == nothing) {
-      cells_[cell].children = static_cast<std::uint32_t>(cells_.size());
+      cells_[cell].children = checked_index(cells_.size(), "cells of the raster");
       cells_.resize(cells_.size() + 4, Cell{.box = no_box});
     }
     cell = cells_[cell].children + quarter;

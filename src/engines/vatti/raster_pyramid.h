@@ -11,8 +11,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "memory/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::vatti {
@@ -60,10 +60,10 @@ class RasterPyramid {
 
   double x0_, y0_, side_;
   std::uint32_t levels_;  ///< the finest level has 2^levels_ columns and rows
-  std::vector<Cell> cells_;
-  std::vector<Box> boxes_;
-  std::vector<std::uint32_t> next_box_;  ///< by box: the next in its cell
-  std::vector<std::uint32_t> pending_;
+  Array<Cell> cells_;
+  Array<Box> boxes_;
+  Array<std::uint32_t> next_box_;  ///< by box: the next in its cell
+  Array<std::uint32_t> pending_;
 };
 
 }  // namespace oblast::vatti

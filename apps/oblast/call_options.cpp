@@ -1,0 +1,42 @@
+#include "oblast/call_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <utility>
+
+namespace oblast::app {
+
+std::size_t parse_bytes(const std::string& word) {
+  static constexpr std::pair<const char*, double> units[] = {
+      {"", 1},         {"B", 1},    {"KiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30},
+      {"TiB", 0x1p40}, {"KB", 1e3}, {"MB", 1e6},     {"GB", 1e9},     {"TB", 1e12},
+  };
+  double number = 0;
+  const char* const past = word.data() + word.size();
+  auto [rest, error] = std::from_chars(word.data(), past, number, std::chars_format::fixed);
+  while (rest != past && *rest == ' ') ++rest;
+  if (error == std::errc())
+    for (const auto& [unit, bytes] : units)
+      if (std::string_view(rest, static_cast<std::size_t>(past - rest)) == unit && number * bytes >= 1 &&
+          number * bytes < 0x1p63)
+        return static_cast<std::size_t>(number * bytes);
+  throw CLI::ValidationError(
+      fmt::format("'{}' is no amount of memory; examples: 4GiB, 500MB, 1.5GiB (units B, KiB, MiB, GiB, TiB, KB, MB, "
+                  "GB, TB)",
+                  word));
+}
+
+void add_call_options(CLI::App& command, CallOptions& options) {
+  CallOptions* const call = &options;
+  command.add_option("--threads", call->threads, "0 (default): all cores; the result is the same")
+      ->check(CLI::Range(0, CallOptions::most_threads))
+      ->type_name("N");
+  command
+      .add_option_function<std::string>(
+          "--memory", [call](const std::string& word) { call->most_bytes = parse_bytes(word); },
+          "end with an error where the work, reading and writing aside, needs more: 4GiB, 500MB")
+      ->type_name("SIZE");
+}
+
+}  // namespace oblast::app

@@ -1,0 +1,118 @@
+// The floating-point environment that exact arithmetic needs, whatever other code of the process has set.
+//
+// Expansions and filters are right where every operation is rounded to nearest and nothing small is replaced by 0. Code
+// built with -ffast-math sets flush-to-zero and denormals-are-zero when it is loaded, other code changes the rounding
+// mode or lets exceptions trap; each of them breaks the predicates silently. So a call sets the default on every thread
+// that works for it, and leaves what it found there: modes, traps and flags.
+//
+// The compiler does not know that arithmetic depends on the environment. Reading and writing it are barriers to
+// memory, so what is computed from memory and goes to memory stays inside; what goes through registers needs a function
+// that is not inlined (public_call.h).
+#pragma once
+
+#if !defined(__SSE2__) && !defined(__aarch64__)
+#include <cfenv>
+#endif
+
+#include <cstdint>
+
+#include "base/arithmetic.h"
+
+namespace oblast {
+
+#if defined(__SSE2__)
+
+/// MXCSR. In x87 registers nothing is computed.
+class FloatingPoint {
+ public:
+  /// To nearest, nothing trapped, no small number replaced.
+  static FloatingPoint default_modes() { return FloatingPoint(0x1f80); }
+  static FloatingPoint current() {
+    std::uint32_t word;
+    asm volatile("stmxcsr %0" : "=m"(word) : : "memory");
+    return FloatingPoint(word);
+  }
+  void set() const { asm volatile("ldmxcsr %0" : : "m"(word_) : "memory"); }
+
+  /// But for the flags of what happened.
+  bool same_modes(const FloatingPoint& o) const { return ((word_ ^ o.word_) & ~std::uint32_t{0x3f}) == 0; }
+  friend bool operator==(const FloatingPoint&, const FloatingPoint&) = default;
+
+ private:
+  explicit FloatingPoint(std::uint32_t word) : word_(word) {}
+
+  std::uint32_t word_;
+};
+
+#elif defined(__aarch64__)
+
+/// FPCR, the modes, and FPSR, the flags.
+class FloatingPoint {
+ public:
+  static FloatingPoint default_modes() { return FloatingPoint(0, 0); }
+  static FloatingPoint current() {
+    std::uint64_t control, status;
+    asm volatile("mrs %0, fpcr" : "=r"(control) : : "memory");
+    asm volatile("mrs %0, fpsr" : "=r"(status) : : "memory");
+    return FloatingPoint(control, status);
+  }
+  void set() const {
+    asm volatile("msr fpcr, %0" : : "r"(control_) : "memory");
+    asm volatile("msr fpsr, %0" : : "r"(status_) : "memory");
+  }
+
+  bool same_modes(const FloatingPoint& o) const { return control_ == o.control_; }
+  friend bool operator==(const FloatingPoint&, const FloatingPoint&) = default;
+
+ private:
+  FloatingPoint(std::uint64_t control, std::uint64_t status) : control_(control), status_(status) {}
+
+  std::uint64_t control_, status_;
+};
+
+#else
+
+/// What <cfenv> knows: an environment cannot be compared, so it is always set.
+class FloatingPoint {
+ public:
+  static FloatingPoint default_modes() { return FloatingPoint(true); }
+  static FloatingPoint current() {
+    FloatingPoint found(false);
+    std::fegetenv(&found.environment_);
+    return found;
+  }
+  void set() const { std::fesetenv(is_default_ ? FE_DFL_ENV : &environment_); }
+
+  bool same_modes(const FloatingPoint&) const { return false; }
+  friend bool operator==(const FloatingPoint&, const FloatingPoint&) { return false; }
+
+ private:
+  explicit FloatingPoint(bool is_default) : is_default_(is_default) {}
+
+  bool is_default_;
+  std::fenv_t environment_{};
+};
+
+#endif
+
+/// While it lives, this thread has the modes of `wanted`; then all that it had before, flags too. Costs two reads of a
+/// register, and two writes where the modes differ.
+class WithFloatingPoint {
+ public:
+  explicit WithFloatingPoint(const FloatingPoint& wanted = FloatingPoint::default_modes())
+      : found_(FloatingPoint::current()) {
+    if (!found_.same_modes(wanted)) wanted.set();
+  }
+  WithFloatingPoint(const WithFloatingPoint&) = delete;
+  WithFloatingPoint& operator=(const WithFloatingPoint&) = delete;
+  ~WithFloatingPoint() {
+    if (FloatingPoint::current() != found_) found_.set();
+  }
+
+  const FloatingPoint& found() const { return found_; }
+
+ private:
+  FloatingPoint found_;
+};
+
+}  // namespace oblast

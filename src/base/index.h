@@ -1,0 +1,32 @@
+// Counts to 32-bit indices.
+#pragma once
+
+#include <oblast/error.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "base/index_limits.h"
+
+namespace oblast {
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_too_many(const char* what, std::size_t most,
+                                                                  std::size_t operand = Place::npos) {
+  throw Error(ErrorCode::too_large, std::string("too large: more than ") + std::to_string(most) + ' ' + what,
+              {operand});
+}
+
+/// Throws Error(too_large), which says of what there are too many, where there are more than `most`.
+inline void check_count(std::size_t count, const char* what, std::size_t most = most_indices) {
+  if (count > most) [[unlikely]]
+    throw_too_many(what, most);
+}
+
+/// The count as an index past the last one. Throws as check_count.
+inline std::uint32_t checked_index(std::size_t count, const char* what, std::size_t most = most_indices) {
+  check_count(count, what, most);
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace oblast

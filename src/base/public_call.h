@@ -1,0 +1,69 @@
+// The frame of every public function: what is asked of the call is checked, and the work done within a Call.
+#pragma once
+
+#include <oblast/options.h>
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+
+#include "base/check_options.h"
+#include "base/control.h"
+#include "base/index.h"
+#include "base/parallel.h"
+#include "base/tuning.h"
+#include "memory/call_memory.h"
+#include "memory/memory_budget.h"
+
+namespace oblast {
+
+namespace detail {
+
+/// Not inlined: nothing of it may be moved to before or after the environment is set (base/floating_point.h).
+template <class Work>
+[[gnu::noinline]] auto perform(const Work& work, Control& control) {
+  return work(control);
+}
+
+}  // namespace detail
+
+/// work(control), and what it returns, for a call on so many vertices of input. Where another public function makes the
+/// call, it is a part of that one's, with its threads, limit, progress and environment.
+/// Throws Error: bad_option, too_large, memory_limit, cancelled, and what the work and the progress function throw.
+template <class Work>
+auto public_call(const CallOptions& options, bool timed, std::size_t vertices, const Work& work) {
+  using Result = std::invoke_result_t<const Work&, Control&>;
+  check_options(options);
+  check_count(vertices, "vertices in one call", most_vertices);
+  if (const Call* const outer = Call::current(); outer && outer->control) return work(*outer->control);
+  Control control(options, timed, FloatingPoint::current());
+  std::optional<MemoryBudget> budget;
+  Call call;
+  call.control = &control;
+  if (options.most_bytes > 0) call.budget = &budget.emplace(options.most_bytes);
+  if (vertices <= tuning::small_call) {
+    // In memory of its own, on this thread.
+    CallMemory memory;
+    call.memory = &memory;
+    const WorkingFor working(call);
+    Result result = detail::perform(work, control);
+    control.finish();
+    return result;
+  }
+  call.blocks = kept_blocks(options.workspace, vertices);
+  std::optional<Result> result;
+  run_call(call, options.threads, [&] {
+    {
+      const Share whole(control);
+      result.emplace(detail::perform(work, control));
+    }
+    control.finish();
+  });
+  return *std::move(result);
+}
+template <class Work>
+auto public_call(const CallOptions& options, std::size_t vertices, const Work& work) {
+  return public_call(options, false, vertices, work);
+}
+
+}  // namespace oblast

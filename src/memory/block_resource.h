@@ -1,0 +1,19 @@
+// Blocks of arrays for containers with a memory resource: counted as all others are.
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+
+#include "memory/kept_blocks.h"
+
+namespace oblast {
+
+class BlockResource : public std::pmr::memory_resource {
+ private:
+  // REQUIRES of both: no alignment beyond that of operator new.
+  void* do_allocate(std::size_t bytes, std::size_t) override { return take_block(bytes); }
+  void do_deallocate(void* block, std::size_t bytes, std::size_t) override { give_block_back(block, bytes); }
+  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+};
+
+}  // namespace oblast

@@ -1,0 +1,81 @@
+// How much memory a call may have: CallOptions::most_bytes.
+//
+// Blocks of arrays are counted where they are taken and given back (take_block), by one atomic number a call; results,
+// whose arrays are the caller's, by a Charge while the call holds them. Calls without a limit count nothing, and small
+// calls only what their own memory does not hold.
+#pragma once
+
+#include <oblast/region_set.h>
+
+#include <atomic>
+#include <cassert>
+#include <cstddef>
+#include <utility>
+
+#include "base/call.h"
+
+namespace oblast {
+
+class MemoryBudget {
+ public:
+  /// REQUIRES: most_bytes > 0.
+  explicit MemoryBudget(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  MemoryBudget(const MemoryBudget&) = delete;
+  MemoryBudget& operator=(const MemoryBudget&) = delete;
+  ~MemoryBudget() { assert(used_bytes() == 0); }
+
+  /// Of the call that this thread works for; null where there is no limit.
+  static MemoryBudget* current() {
+    const Call* const call = Call::current();
+    return call ? call->budget : nullptr;
+  }
+
+  /// Throws Error(memory_limit), and counts nothing then.
+  void take(std::size_t bytes) {
+    if (used_.fetch_add(bytes, std::memory_order_relaxed) + bytes > most_bytes_) [[unlikely]]
+      refuse(bytes);
+  }
+  void give_back(std::size_t bytes) { used_.fetch_sub(bytes, std::memory_order_relaxed); }
+
+  std::size_t used_bytes() const { return used_.load(std::memory_order_relaxed); }
+
+ private:
+  [[noreturn]] void refuse(std::size_t bytes);
+
+  std::size_t most_bytes_;
+  std::atomic<std::size_t> used_ = 0;
+};
+
+/// Bytes that are not a block of an array, counted while this lives: of a result. Throws Error(memory_limit).
+class Charge {
+ public:
+  Charge() = default;
+  explicit Charge(std::size_t bytes) : budget_(MemoryBudget::current()), bytes_(bytes) {
+    if (budget_) budget_->take(bytes);
+  }
+  Charge(Charge&& other) noexcept : budget_(std::exchange(other.budget_, nullptr)), bytes_(other.bytes_) {}
+  Charge& operator=(Charge&& other) noexcept {
+    std::swap(budget_, other.budget_);
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  ~Charge() {
+    if (budget_) budget_->give_back(bytes_);
+  }
+
+  /// It stays counted when this is gone.
+  void keep() { budget_ = nullptr; }
+
+ private:
+  MemoryBudget* budget_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+constexpr std::size_t bytes_of_regions(std::size_t points, std::size_t contours, std::size_t polygons) {
+  return points * sizeof(Point) + (contours + polygons) * sizeof(std::uint32_t);
+}
+inline std::size_t bytes_of(const RegionView& regions) {
+  return bytes_of_regions(regions.points.size(), regions.contour_ends.size(), regions.polygon_ends.size());
+}
+
+}  // namespace oblast

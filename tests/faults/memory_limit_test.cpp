@@ -1,0 +1,146 @@
+// CallOptions::most_bytes: whatever the limit, a call has its answer or ends with Error(memory_limit), leaks nothing,
+// and the next call is right.
+#include <gtest/gtest.h>
+#include <oblast/overlay.h>
+#include <oblast/workspace.h>
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "base/index_limits.h"
+#include "faults/allocations.h"
+#include "generators/hostile.h"
+#include "memory/call_memory.h"
+#include "support/public_functions.h"
+
+namespace oblast::testing {
+namespace {
+
+/// What the function returned; nothing where it came to the limit.
+Bits call_within(const PublicFunction& function, const CallOptions& options) {
+  try {
+    return function.call(options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::memory_limit) << function.name << ": " << error.what();
+    EXPECT_NE(std::string(error.what()).find(std::to_string(options.most_bytes)), std::string::npos) << error.what();
+    return {};
+  }
+}
+
+/// From one byte on until the call is done, each time more by the `part`-th part.
+void expect_limits_kept(const PublicFunction& function, CallOptions options, std::size_t part) {
+  const Bits expected = function.call(options);
+  function.call(options);
+  int refused = 0;
+  std::size_t limit = 1;
+  for (bool done = false; !done; limit += limit / part + 1) {
+    ASSERT_LT(limit, std::size_t{1} << 30) << function.name;
+    options.most_bytes = limit;
+    const std::int64_t before = live_blocks();
+    Bits found = call_within(function, options);
+    done = !found.empty();
+    EXPECT_TRUE(!done || found == expected) << function.name << ", " << limit << " bytes";
+    found = Bits();
+    if (!options.workspace) {
+      EXPECT_EQ(live_blocks(), before) << function.name << ", " << limit << " bytes";
+    }
+    refused += !done;
+  }
+  // A clip of what lies elsewhere needs nothing: three sizes of 0 are an empty result.
+  EXPECT_TRUE(refused > 0 || expected == Bits(3, 0)) << function.name << " was never refused";
+  // What was counted is given back: the same limit does for the call after it.
+  EXPECT_EQ(call_within(function, options), expected) << function.name;
+  options.most_bytes = 0;
+  EXPECT_EQ(function.call(options), expected) << function.name;
+}
+
+RegionSet octagon() { return {{{10, 0}, {7, 7}, {0, 10}, {-7, 7}, {-10, 0}, {-7, -7}, {0, -10}, {7, -7}}, {8}, {1}}; }
+
+void expect_limits_kept_by_all(const generators::Operands& operands, const CallOptions& options, std::size_t part) {
+  const RegionSet convex = octagon();
+  for (const PublicFunction& function : public_functions(operands.a, operands.b, convex))
+    if (function.name != "signed_area") expect_limits_kept(function, options, part);
+}
+
+TEST(MemoryLimit, anyLimitEndsInTheAnswerOrTheError) {
+  CallOptions options;
+  options.threads = 1;
+  expect_limits_kept_by_all(generators::coverages(3, 400), options, 2);
+  expect_limits_kept_by_all(generators::stars(3, 200), options, 1);
+}
+
+TEST(MemoryLimit, onSeveralThreadsToo) {
+  CallOptions options;
+  options.threads = 2;
+  expect_limits_kept_by_all(generators::coverages(3, 6000), options, 1);
+}
+
+TEST(MemoryLimit, withAWorkspaceToo) {
+  CallOptions options;
+  options.threads = 1;
+  Workspace workspace;
+  options.workspace = &workspace;
+  expect_limits_kept_by_all(generators::coverages(3, 3000), options, 1);
+}
+
+TEST(MemoryLimit, smallCallsNeedHardlyAny) {
+  const RegionSet convex = octagon();
+  for (const PublicFunction& function : public_functions(convex, convex, convex)) {
+    CallOptions options;
+    const Bits expected = function.call(options);
+    options.most_bytes = 64 << 10;
+    EXPECT_EQ(function.call(options), expected) << function.name;
+  }
+}
+
+/// Teeth of two long edges each, side by side along x; turned, along y.
+RegionSet comb(int teeth, bool turned) {
+  RegionSet comb;
+  const auto add = [&](double x, double y) { comb.points.push_back(turned ? Point{y, x} : Point{x, y}); };
+  add(0, -1);
+  for (int i = 0; i < teeth; ++i) {
+    add(2 * i, 2.0 * teeth + 1);
+    add(2 * i + 1, 1.0 / (i + 2));
+  }
+  add(2.0 * teeth, -1);
+  comb.contour_ends = {static_cast<std::uint32_t>(comb.points.size())};
+  comb.polygon_ends = {1};
+  return comb;
+}
+
+/// The most memory that this process has had, in bytes; 0 where the system does not tell.
+std::size_t peak_bytes() {
+  std::size_t kilobytes = 0;
+  if (std::FILE* const file = std::fopen("/proc/self/status", "r")) {
+    char line[256];
+    while (std::fgets(line, sizeof line, file))
+      if (std::strncmp(line, "VmHWM:", 6) == 0) std::sscanf(line + 6, "%zu", &kilobytes);
+    std::fclose(file);
+  }
+  return kilobytes << 10;
+}
+
+// They cross a thousand million times: more than 2^31 cuts from a megabyte.
+TEST(MemoryLimit, twoCombsOf33000EdgesEndWithinHalfAGibibyte) {
+  const RegionSet a = comb(16500, false), b = comb(16500, true);
+  for (const int threads : {1, 2}) {
+    Options options;
+    options.threads = threads;
+    options.most_bytes = std::size_t{512} << 20;
+    const std::int64_t before = live_blocks();
+    try {
+      overlay(a, b, Operation::unite, options);
+      ADD_FAILURE() << "it was done";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), low_index_limits ? ErrorCode::too_large : ErrorCode::memory_limit) << error.what();
+    }
+    EXPECT_EQ(live_blocks(), before);
+    if (!sanitized) {
+      EXPECT_LT(peak_bytes(), std::size_t{768} << 20);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace oblast::testing
