@@ -68,20 +68,40 @@ RegionSet box(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
 }
 
+/// Convex, of n vertices on a parabola from (x - 1, 1) to (x + 1, 1).
+RegionSet parabola(int n, double x) {
+  RegionSet result;
+  for (int i = 0; i <= n; ++i) {
+    const double t = 2.0 * i / n - 1;
+    result.points.push_back({x + t, t * t});
+  }
+  result.contour_ends = {static_cast<std::uint32_t>(result.points.size())};
+  result.polygon_ends = {1};
+  return result;
+}
+
 TEST(OutOfMemory, atAnyAllocationOfAClassicLeavesNothingBehind) {
   const RegionSet a = box(0, 0, 4, 4), b = box(1, 1, 5, 6.3);
+  const RegionSet large_a = parabola(large_size, 0), large_b = parabola(large_size, 0.25);
   for (const ClassicMethod method : {ClassicMethod::orourke, ClassicMethod::sutherland_hodgman,
-                                     ClassicMethod::weiler_atherton, ClassicMethod::margalit_knott})
-    fail_every_allocation_of([&] { return classic(method, a, b, Operation::intersection); });
-  fail_every_allocation_of([&] { return ClipWindow(b).clip(a); });
+                                     ClassicMethod::weiler_atherton, ClassicMethod::margalit_knott}) {
+    fail_every_allocation_of([&] { return classic(method, a, b, Operation::intersection); }, fewest_of_small);
+    fail_every_allocation_of([&] { return classic(method, large_a, large_b, Operation::intersection); }, 20);
+  }
+  fail_every_allocation_of([&] { return ClipWindow(b).clip(a); }, fewest_of_small);
+  fail_every_allocation_of([&] { return ClipWindow(b).clip(large_a); }, fewest_of_small);
 }
 
 TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
-  const RegionSet soup = generators::earth_degrees(6, large_size).a;
-  fail_every_allocation_of([&] { return unite(soup); });
-  fail_every_allocation_of([&] { return hull(soup); });
-  fail_every_allocation_of([&] { return layers(soup); });
-  fail_every_allocation_of([&] { return triangulate(soup).triangles.size(); });
+  // Of the small one most arrays are in the memory that the call brings with it.
+  for (const int size : {large_size, 8 * large_size}) {
+    const RegionSet soup = generators::earth_degrees(6, size).a;
+    const std::uint64_t fewest = size == large_size ? fewest_of_small : 20;
+    fail_every_allocation_of([&] { return unite(soup); }, fewest);
+    fail_every_allocation_of([&] { return hull(soup); }, fewest);
+    fail_every_allocation_of([&] { return layers(soup); }, fewest);
+    fail_every_allocation_of([&] { return triangulate(soup).triangles.size(); }, fewest);
+  }
 }
 
 // Which allocation fails differs from run to run here.

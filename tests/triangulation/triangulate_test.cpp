@@ -14,7 +14,15 @@ namespace {
 
 using verify::regions_of;
 
-const TriangulateOptions whole_hull{TriangleExtent::convex_hull, TriangleInput::any, {}};
+TriangulateOptions options_of(TriangleExtent extent, TriangleInput input, const Options& unite = {}) {
+  TriangulateOptions options;
+  static_cast<Options&>(options) = unite;
+  options.extent = extent;
+  options.input = input;
+  return options;
+}
+
+const TriangulateOptions whole_hull = options_of(TriangleExtent::convex_hull, TriangleInput::any);
 
 double doubled_area(const Triangulation& t, std::size_t i) {
   const Point &a = t.points[t.triangles[i][0]], &b = t.points[t.triangles[i][1]], &c = t.points[t.triangles[i][2]];
@@ -65,7 +73,7 @@ TEST(Triangulate, takesAnyInput) {
 TEST(Triangulate, takesAResultAsItIs) {
   // Neighbours that share a border are no result of a union, but closed: each keeps its own triangles.
   const RegionSet coverage = regions_of("0 0, 2 0, 2 2, 0 2 | 2 0, 4 0, 4 2, 2 2");
-  const Triangulation t = triangulate(coverage, {TriangleExtent::interior, TriangleInput::result, {}});
+  const Triangulation t = triangulate(coverage, options_of(TriangleExtent::interior, TriangleInput::result));
   EXPECT_EQ(t.regions, coverage);
   EXPECT_EQ(t.points.size(), 6u);
   ASSERT_EQ(t.triangles.size(), 4u);
@@ -76,7 +84,7 @@ TEST(Triangulate, takesAResultAsItIs) {
 }
 
 TEST(Triangulate, refusesCrossingSidesOfAResult) {
-  const TriangulateOptions as_result{TriangleExtent::interior, TriangleInput::result, {}};
+  const TriangulateOptions as_result = options_of(TriangleExtent::interior, TriangleInput::result);
   try {
     triangulate(regions_of("0 0, 4 0, 4 4, 0 4 | 2 2, 6 2, 6 6, 2 6"), as_result);
     FAIL() << "nothing was thrown";
@@ -95,7 +103,8 @@ TEST_P(TriangulateHostile, isExactlyRight) {
     Options options;
     options.fill_a = request.fill_a;
     options.contours = request.contours;
-    const Triangulation t = triangulate(operands.a, {TriangleExtent::convex_hull, TriangleInput::any, options});
+    const Triangulation t =
+        triangulate(operands.a, options_of(TriangleExtent::convex_hull, TriangleInput::any, options));
     const auto fault = check_triangulation(t);
     ASSERT_FALSE(fault) << "seed " << seed << ": " << *fault;
     triangles += t.triangles.size();
