@@ -3,6 +3,7 @@
 
 #include <oblast/options.h>
 
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -59,6 +60,8 @@ auto public_call(const CallOptions& options, bool timed, std::size_t vertices, c
     }
     control.finish();
   });
+  // Not where the call failed: a task that was not begun is dropped, with its arrays, by a thread that left the call.
+  assert(!budget || budget->used_bytes() == 0);
   return *std::move(result);
 }
 template <class Work>

@@ -8,7 +8,6 @@
 #include <oblast/region_set.h>
 
 #include <atomic>
-#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -22,7 +21,6 @@ class MemoryBudget {
   explicit MemoryBudget(std::size_t most_bytes) : most_bytes_(most_bytes) {}
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
-  ~MemoryBudget() { assert(used_bytes() == 0); }
 
   /// Of the call that this thread works for; null where there is no limit.
   static MemoryBudget* current() {
