@@ -20,8 +20,8 @@ Axis axis_of(CutKind kind) { return kind == CutKind::at_x ? Axis::x : Axis::y; }
 double low(const Box& box, CutKind kind) { return low(box, axis_of(kind)); }
 double high(const Box& box, CutKind kind) { return high(box, axis_of(kind)); }
 
-bool reaches_left(double low, const CellCut& cut) { return low - cut.margin < cut.at; }
-bool reaches_right(double high, const CellCut& cut) { return high + cut.margin >= cut.at; }
+bool reaches_left(double low, const CellCut& cut) { return low < cut.at; }
+bool reaches_right(double high, const CellCut& cut) { return high >= cut.at; }
 
 /// The whole edge, whatever of it is in the cell: parts are computed from it each time, so that their rounding does not
 /// add up from cut to cut. Both coordinates are monotone along it, so a part of it is the part of its box.
@@ -31,15 +31,16 @@ struct Fragment {
 
 Fragment fragment_of(std::span<const Point> points, const Entry& e) { return {points[e.first], points[e.first + 1]}; }
 
-/// The box of the edge between parameters s and t, widened by the rounding of its computation, within the box of what
-/// of it is in the cell. Empty where that part is not in the cell.
-Box part_of(const Fragment& f, double s, double t, const Box& whole) {
+/// The box of the edge between parameters s and t, widened by its margin and the rounding of its computation, within
+/// the box of what of it is in the cell. Empty where that part is not in the cell.
+Box part_of(const Fragment& f, double s, double t, const Entry& entry) {
+  const Box& whole = entry.box;
   s = std::clamp(s, 0.0, 1.0);
   t = std::clamp(t, 0.0, 1.0);
   const auto at = [&](double u) { return Point{f.p.x + (f.q.x - f.p.x) * u, f.p.y + (f.q.y - f.p.y) * u}; };
   Box box = Box::of(at(s), at(t));
-  const double x_margin = 4 * epsilon * (std::fabs(f.p.x) + std::fabs(f.q.x));
-  const double y_margin = 4 * epsilon * (std::fabs(f.p.y) + std::fabs(f.q.y));
+  const double x_margin = entry.margin() + 4 * epsilon * (std::fabs(f.p.x) + std::fabs(f.q.x));
+  const double y_margin = entry.margin() + 4 * epsilon * (std::fabs(f.p.y) + std::fabs(f.q.y));
   return {std::max(box.x0 - x_margin, whole.x0), std::max(box.y0 - y_margin, whole.y0),
           std::min(box.x1 + x_margin, whole.x1), std::min(box.y1 + y_margin, whole.y1)};
 }
@@ -54,10 +55,10 @@ Sides divide_at_value(const Fragment& f, const Entry& entry, const CellCut& cut)
   if (from == to) return sides;
   const double t = (cut.at - from) / (to - from);
   const double error = 4 * epsilon * (1 + (std::fabs(from) + std::fabs(cut.at)) / std::fabs(to - from)) +
-                       cut.margin / std::fabs(to - from);
+                       entry.margin() / std::fabs(to - from);
   const bool p_left = from < to;
-  (p_left ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + error, entry.box);
-  (p_left ? sides.right_part.box : sides.left_part.box) = part_of(f, t - error, 1, entry.box);
+  (p_left ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + error, entry);
+  (p_left ? sides.right_part.box : sides.left_part.box) = part_of(f, t - error, 1, entry);
   return sides;
 }
 
@@ -74,7 +75,7 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
   const auto touches_here = [&](int side, const Point& p) { return side == 0 && entry.box.contains(p); };
   const bool touches = touches_here(c_side, c) || touches_here(d_side, d);
   if (!touches_elsewhere(c_side, c) && !touches_elsewhere(d_side, d) &&
-      (cut.margin == 0 || (touches && cut.parts_touching))) {
+      (entry.margin() == 0 || (touches && cut.parts_touching))) {
     if (c_side >= 0 && d_side >= 0) sides.right = false;
     if (c_side <= 0 && d_side <= 0) sides.left = false;
     sides.touches = touches && !(sides.left && sides.right);
@@ -88,14 +89,14 @@ Sides divide_along_edge(std::span<const Point> points, const Fragment& f, const 
            (std::fabs(dx) * (std::fabs(p.y) + std::fabs(a.y)) + std::fabs(dy) * (std::fabs(p.x) + std::fabs(a.x)));
   };
   // Doubled areas over (a, b), as the margin's strip is: at least its width times the length.
-  const double strip = cut.margin * (std::fabs(dx) + std::fabs(dy));
+  const double strip = entry.margin() * (std::fabs(dx) + std::fabs(dy));
   const double p = distance(f.p), q = distance(f.q), error = std::max(error_at(f.p), error_at(f.q)) + strip;
   if (p > error && q > error) sides.right = false;
   if (p < -error && q < -error) sides.left = false;
   if (!sides.left || !sides.right || std::fabs(p - q) <= 4 * error) return sides;
   const double t = p / (p - q), t_error = 4 * error / std::fabs(p - q) + 4 * epsilon;
-  (p > q ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + t_error, entry.box);
-  (p > q ? sides.right_part.box : sides.left_part.box) = part_of(f, t - t_error, 1, entry.box);
+  (p > q ? sides.left_part.box : sides.right_part.box) = part_of(f, 0, t + t_error, entry);
+  (p > q ? sides.right_part.box : sides.left_part.box) = part_of(f, t - t_error, 1, entry);
   sides.left = !is_empty(sides.left_part.box);
   sides.right = !is_empty(sides.right_part.box);
   return sides;
@@ -143,11 +144,10 @@ class Sample {
 };
 
 template <class Repeated>
-CellCut best_axis_cut(const Sample& sample, double margin, const Repeated& repeated) {
+CellCut best_axis_cut(const Sample& sample, const Repeated& repeated) {
   CellCut best;
   for (const CutKind kind : {CutKind::at_x, CutKind::at_y}) {
     CellCut cut = sample.median_cut(kind);
-    cut.margin = margin;
     judge(
         cut, sample.span(), [](const Entry& e, const CellCut& c) { return divide_run({}, e, c); }, repeated);
     if (cut.growth < best.growth) best = cut;
@@ -165,14 +165,17 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
     return cut.kind == CutKind::at_x ? points[vertex].x : points[vertex].y;
   };
   const bool rising = value(entry.first) <= value(entry.last);
-  const auto reaches_start = [&](double v) { return rising ? reaches_left(v, cut) : reaches_right(v, cut); };
-  const auto reaches_end = [&](double v) { return rising ? reaches_right(v, cut) : reaches_left(v, cut); };
+  const double margin = entry.margin();
+  const auto left = [&](double v) { return reaches_left(v - margin, cut); };
+  const auto right = [&](double v) { return reaches_right(v + margin, cut); };
+  const auto reaches_start = [&](double v) { return rising ? left(v) : right(v); };
+  const auto reaches_end = [&](double v) { return rising ? right(v) : left(v); };
   Entry &start = rising ? sides.left_part : sides.right_part, &end = rising ? sides.right_part : sides.left_part;
   while (!reaches_end(value(end.first + 1))) ++end.first;
   start.last = end.first + 1;
   while (start.last < entry.last && reaches_start(value(start.last))) ++start.last;
-  start.box = Box::of(points[start.first], points[start.last]);
-  end.box = Box::of(points[end.first], points[end.last]);
+  start.box = Box::of(points[start.first], points[start.last]).widened(margin);
+  end.box = Box::of(points[end.first], points[end.last]).widened(margin);
   return sides;
 }
 
@@ -218,18 +221,18 @@ bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count) 
          high(cell, across) - low(cell, across);
 }
 
-CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin) {
-  return best_axis_cut(Sample(entries), margin, [&](const Entry& run, const CellCut&) {
+CellCut best_run_cut(std::span<const Entry> entries, RunParts parts) {
+  return best_axis_cut(Sample(entries), [&](const Entry& run, const CellCut&) {
     // To look where a run is divided would cost more than it tells: within one edge.
     return parts == RunParts::edges ? 1 : run.last - run.first;
   });
 }
 
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, double margin) {
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell) {
   const auto divide = [&](const Entry& e, const CellCut& c) { return divide_edge(points, e, c); };
   const Sample sample(entries);
   // Flat edges are copied until they cross a cell, which is soon.
-  CellCut best = best_axis_cut(sample, margin, [&](const Entry& e, const CellCut& cut) {
+  CellCut best = best_axis_cut(sample, [&](const Entry& e, const CellCut& cut) {
     return is_flat(e, axis_of(cut.kind), cell, entries.size()) ? 0U : 1U;
   });
   const auto try_edges = [&](bool parts_touching) {
@@ -237,13 +240,15 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
       if (best.growth <= tuning::good_growth ||
           (i >= tuning::cut_edges_tried && best.growth <= tuning::acceptable_growth))
         break;
-      CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, margin, parts_touching};
+      CellCut cut{CutKind::along_edge, 0, sample.span()[i]->first, parts_touching};
       judge(cut, sample.span(), divide, [](const Entry&, const CellCut&) { return 1U; });
       if (cut.growth < best.growth) best = cut;
     }
   };
-  if (margin > 0) try_edges(false);
-  if (margin == 0 || best.growth > tuning::growth_worth_parting) try_edges(true);
+  const bool have_margins =
+      std::any_of(sample.span().begin(), sample.span().end(), [](const Entry* e) { return e->margin() > 0; });
+  if (have_margins) try_edges(false);
+  if (!have_margins || best.growth > tuning::growth_worth_parting) try_edges(true);
   return best;
 }
 

@@ -12,7 +12,8 @@
 
 namespace oblast::noding {
 
-/// A run, or a single edge, with the box of what of it is in the cell.
+/// A run, or a single edge, with the box of what of it is in the cell, wider by its margin. It is on every side of a
+/// cut that it, as wide as its margin, reaches.
 using Entry = Run;
 
 enum class Axis : std::uint8_t { x, y };
@@ -27,9 +28,8 @@ struct CellCut {
   CutKind kind = CutKind::at_x;
   double at = 0;           ///< for at_x and at_y
   std::uint32_t edge = 0;  ///< for along_edge
-  double margin = 0;       ///< what comes this near to the cut is on both sides of it
-  /// Along an edge: others that touch it in a vertex are on one side only. So a fan can be divided, but what comes near
-  /// them on the other side is missed.
+  /// Along an edge: others that touch it in a vertex are on one side only, whatever their margin. So a fan can be
+  /// divided, but what comes near them on the other side is missed.
   bool parts_touching = true;
   /// Edges in both halves over edges in the cell, by a sample; infinite for a cut that does not help.
   double growth = std::numeric_limits<double>::infinity();
@@ -39,7 +39,7 @@ struct CellCut {
 struct Sides {
   bool left = false, right = false;
   Entry left_part, right_part;
-  bool touches = false;  ///< an edge kept from one side although it comes within the margin of it, in a vertex
+  bool touches = false;  ///< an edge kept from one side although it comes within its margin of it, in a vertex
 };
 
 /// By the edges of a run, in whose direction its coordinates never turn back: each goes to the sides it reaches.
@@ -51,7 +51,7 @@ Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCu
 std::size_t divide_runs(std::span<const Point> points, LargeArray<Entry>& entries, std::size_t begin,
                         const CellCut& cut, LargeArray<Entry>& right);
 
-/// For an entry of one edge: what lies on either side, or within the margin of it, clipped. Rounded outwards: nothing
+/// For an entry of one edge: what lies on either side, or within its margin of it, clipped. Rounded outwards: nothing
 /// is lost.
 Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut);
 
@@ -59,10 +59,10 @@ Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellC
 enum class RunParts : std::uint8_t { edges, whole };
 
 /// The better median cut of the two axes, on a random sample.
-CellCut best_run_cut(std::span<const Entry> entries, RunParts parts, double margin);
+CellCut best_run_cut(std::span<const Entry> entries, RunParts parts);
 
 /// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, double margin);
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell);
 
 /// An entry that, if it went through the cell along the axis, would reach about one of the `count` others in it.
 bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count);

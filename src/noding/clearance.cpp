@@ -22,14 +22,14 @@ Clearance::Clearance(Strands& strands) : strands_(strands) {
   constexpr std::size_t points_a_range = tuning::clearance_points_a_range;
   const std::span<const Point> points = strands.points;
   if (points.size() <= points_a_range) {
-    distance_ = 32 * ulp_of(largest_coordinate(points));
+    distance_ = clear_ulps * ulp_of(largest_coordinate(points));
     return;
   }
   Array<double> largest(range_count(points.size(), points_a_range));
   for_numbered_ranges(points.size(), points_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
     largest[i] = largest_coordinate(points.subspan(begin, end - begin));
   });
-  distance_ = 32 * ulp_of(*std::max_element(largest.begin(), largest.end()));
+  distance_ = clear_ulps * ulp_of(*std::max_element(largest.begin(), largest.end()));
 }
 
 float Clearance::sine_at(const Point& p, const Point& u, const Point& v) const {

@@ -1,8 +1,8 @@
 // Clearance: edges that keep well clear of all others need no second look after rounding.
 //
-// Let u be the unit in the last place of the largest coordinate. A cut is the nearest double to a crossing, so
-// the pieces of an edge stay within u of it, and in its box. Suppose the round looked at every two edges whose boxes
-// meet and that come within t = 32 u of each other, and found of each two one of these:
+// Let u be the unit in the last place of the largest coordinate of two edges. A cut is the nearest double to a
+// crossing, so the pieces of an edge stay within u of it, and in its box. Suppose the round looked at every two edges
+// whose boxes meet and that come within t = 32 u of each other, and found of each two one of these:
 //   - separate: one has both ends on one side of the other's line, further than t from it. Their pieces
 //     stay apart: t is more than twice u.
 //   - clear crossing: all four ends are further than t from the other's line. It lies at an angle; let s be
@@ -16,6 +16,10 @@
 // pieces of theirs meet but in common ends. Of two edges that keep clear of each other in none of these ways both are
 // flagged (near_flag), and an edge whose own cuts are too near each other is. The next round looks at pieces of flagged
 // edges only, and at all that those may reach: usually next to nothing.
+//
+// The search widens each run by 32 units of its own largest coordinate, which together are at least t, so that small
+// things are not searched for as if they were large. What it finds is judged by t of all edges together, which is more:
+// so some edges are flagged that need not be.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +31,12 @@ namespace oblast::noding {
 
 class Clearance {
  public:
-  /// For a round that tests every two edges that come within distance() of each other. Flags edges of `strands`.
+  /// For a round that tests every two edges found by runs with run_margins(). Flags edges of `strands`.
   explicit Clearance(Strands& strands);
 
-  /// t.
+  /// t of all edges together.
   double distance() const { return distance_; }
+  RunMargins run_margins() const { return {distance_, clear_ulps}; }
 
   /// From several threads at once.
   void flag(std::uint32_t edge) { strands_.add_flag(edge, near_flag); }
@@ -44,6 +49,8 @@ class Clearance {
   void look_along(std::size_t strand, std::span<const EdgeCut> cuts);
 
  private:
+  static constexpr double clear_ulps = 32;
+
   Strands& strands_;
   double distance_;
 };

@@ -24,7 +24,7 @@ struct Scale {
 
 }  // namespace
 
-void CoarseBoxes::assign(std::span<const Run> runs, double margin) {
+void CoarseBoxes::assign(std::span<const Run> runs) {
   const std::size_t size = runs.size();
   blocks_.resize((size + block - 1) / block);
   order_.resize(size);
@@ -37,10 +37,7 @@ void CoarseBoxes::assign(std::span<const Run> runs, double margin) {
   }
   // Along the axis on which boxes are shorter.
   const bool swaps = widths * (around.y1 - around.y0) > heights * (around.x1 - around.x0);
-  const auto turned = [&](Box box) {
-    box = box.widened(margin);
-    return swaps ? Box{box.y0, box.x0, box.y1, box.x1} : box;
-  };
+  const auto turned = [&](Box box) { return swaps ? Box{box.y0, box.x0, box.y1, box.x1} : box; };
   around = turned(around);
   const Scale x(around.x0, around.x1), y(around.y0, around.y1);
   const bool ordered = size > tuning::few_boxes;

@@ -22,9 +22,9 @@ namespace oblast::noding {
 
 class CoarseBoxes {
  public:
-  /// The boxes of the runs, each wider by `margin` on every side. Memory: 12 bytes a run, kept for the next call.
+  /// The boxes of the runs. Memory: 12 bytes a run, kept for the next call.
   /// REQUIRES: runs.
-  void assign(std::span<const Run> runs, double margin);
+  void assign(std::span<const Run> runs);
 
   /// Calls visit(i, j) for every two runs whose boxes meet, and for a few whose boxes come near each other. Cost: where
   /// boxes are short along the axis next to nothing for a pair that is not visited, else about one instruction.

@@ -374,7 +374,7 @@ class MeetingTest {
 
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
                                   const std::function<void()>& checkpoint, Clearance* clearance, FirstFindings* first) {
-  LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->distance() : 0);
+  LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->run_margins() : RunMargins{});
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
   CutCount cut_count;
@@ -387,9 +387,9 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
     MeetingTest test(strands, settling, mine, cut_count, clearance, first);
     for (const RunPair& pair : pairs) test.test_runs(pair);
   };
-  Nearness nearness;
-  if (clearance) nearness = {clearance->distance(), [clearance](std::uint32_t edge) { clearance->flag(edge); }};
-  find_pairs(strands.points, std::move(runs), std::ref(visit), PairGoal::meetings, nearness);
+  UnsureEdge unsure;
+  if (clearance) unsure = [clearance](std::uint32_t edge) { clearance->flag(edge); };
+  find_pairs(strands.points, std::move(runs), std::ref(visit), PairGoal::meetings, unsure);
   Array<Found> by_threads;
   if (by_thread)
     for (Found& part : *by_thread) by_threads.push_back(std::move(part));

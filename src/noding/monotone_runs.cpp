@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "memory/large_pages.h"
+#include "noding/largest_ulp.h"
 
 namespace oblast::noding {
 namespace {
@@ -17,7 +19,7 @@ constexpr Group settled_group = 1;
 bool turns_back(unsigned headings) { return (headings & headings >> 2 & 0b0011) != 0; }
 
 /// From u to v and on to w, in x or in y.
-bool gets_on(const Point& u, const Point& v, const Point& w, double margin) {
+bool goes_on(const Point& u, const Point& v, const Point& w, double margin) {
   const auto along = [margin](double from, double at, double to) {
     return static_cast<int>(std::min(from, to) < at - margin) & static_cast<int>(std::max(from, to) > at + margin);
   };
@@ -31,11 +33,11 @@ constexpr std::size_t edges_a_word = 64;
 
 class RunFinder {
  public:
-  RunFinder(const Strands& strands, Grouping grouping, double margin)
+  RunFinder(const Strands& strands, Grouping grouping, const RunMargins& margins)
       : strands_(strands),
         points_(strands.points.data()),
         grouping_(grouping),
-        margin_(margin),
+        margins_(margins),
         begins_(range_count(strands.points.size(), edges_a_word)) {}
 
   /// Of those of the edges [begin, end), whole words of them, how many there are. A run that goes on behind them is
@@ -108,23 +110,30 @@ class RunFinder {
       group = piece_moved(first) ? any_group : settled_group;
     else if (grouping_ == Grouping::by_strand && strands_.simplicity[strand] == Simplicity::known)
       group = strands_.group[strand];
-    const bool on =
-        first > strands_.begin(strand) && gets_on(points_[first - 1], points_[first], points_[first + 1], margin_);
-    return {Box::of(points_[first], points_[last]), first, last, group, on};
+    const bool on = first > strands_.begin(strand) &&
+                    goes_on(points_[first - 1], points_[first], points_[first + 1], margins_.vertex);
+    const Box box = Box::of(points_[first], points_[last]);
+    if (margins_.ulps == 0) return {box, first, last, group, on};
+    const double margin = margins_.of(box);
+    return {box.widened(margin), first, last, group, Run::marks_of(on, margin)};
   }
 
   const Strands& strands_;
   const Point* points_;
   Grouping grouping_;
-  double margin_;
+  RunMargins margins_;
   Begins begins_;
 };
 
 }  // namespace
 
-LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, double margin) {
+double RunMargins::of(const Box& box) const {
+  return ulps * ulp_of(std::max({std::fabs(box.x0), std::fabs(box.y0), std::fabs(box.x1), std::fabs(box.y1)}));
+}
+
+LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const RunMargins& margins) {
   constexpr std::size_t edges_a_range = tuning::run_words_a_range * edges_a_word;
-  RunFinder finder(strands, grouping, margin);
+  RunFinder finder(strands, grouping, margins);
   const std::size_t edges = strands.points.size();
   Array<std::size_t> places(range_count(edges, edges_a_range) + 1);
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {

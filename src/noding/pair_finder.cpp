@@ -48,17 +48,17 @@ class PairBatch {
   void add_if(int meets, const Entry& p, const Entry& q) {
     pairs_[count_] = {p.first, p.last, q.first, q.last};
     const int may_meet = static_cast<int>(p.group != q.group) | static_cast<int>(p.group == any_group);
-    const int follow = (static_cast<int>(p.last == q.first) & static_cast<int>(q.gets_on)) |
-                       (static_cast<int>(q.last == p.first) & static_cast<int>(p.gets_on));
+    const int follow = (static_cast<int>(p.last == q.first) & static_cast<int>(q.goes_on())) |
+                       (static_cast<int>(q.last == p.first) & static_cast<int>(p.goes_on()));
     count_ += static_cast<std::size_t>(meets & may_meet & (follow ^ 1));
     if (count_ == pairs_.size()) visit();
   }
-  /// Every two whose boxes come within the margin of each other.
-  void add_all(std::span<const Entry> entries, double margin) {
-    boxes_.assign(entries, margin);
+  /// Every two whose boxes meet.
+  void add_all(std::span<const Entry> entries) {
+    boxes_.assign(entries);
     boxes_.for_each_pair([&](std::size_t i, std::size_t j) {
       const Entry &p = entries[i], &q = entries[j];
-      add_if(static_cast<int>(p.box.widened(margin).meets(q.box)), p, q);
+      add_if(static_cast<int>(p.box.meets(q.box)), p, q);
     });
   }
   void visit() {
@@ -75,13 +75,13 @@ class PairBatch {
 
 class Finder {
  public:
-  Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal, const Nearness& nearness)
-      : points_(points), visit_(visit), goal_(goal), nearness_(nearness) {}
+  Finder(std::span<const Point> points, const PairVisitor& visit, PairGoal goal, const UnsureEdge& unsure)
+      : points_(points), visit_(visit), goal_(goal), unsure_(unsure) {}
 
   void run(LargeArray<Run> runs) {
     if (runs.size() <= leaf_size) {
       PairBatch batch(visit_);
-      if (!one_group(runs)) batch.add_all(runs, nearness_.margin);
+      if (!one_group(runs)) batch.add_all(runs);
       batch.visit();
       return;
     }
@@ -105,7 +105,7 @@ class Finder {
     if (!cell.clipped) {
       if (count() <= leaf_size) return {};
       const RunParts parts = goal_ == PairGoal::boxes ? RunParts::whole : RunParts::edges;
-      const CellCut cut = best_run_cut(tail(entries, begin), parts, nearness_.margin);
+      const CellCut cut = best_run_cut(tail(entries, begin), parts);
       if (cut.growth <= tuning::box_growth || goal_ == PairGoal::boxes)
         return cut.growth <= tuning::largest_growth ? cut : CellCut{};
       clip_edges(entries, begin, cell);
@@ -113,7 +113,7 @@ class Finder {
     while (count() > tuning::clipped_edges_of_one_cell) {
       if (match_crossers(Axis::x, entries, begin, cell, batch) || match_crossers(Axis::y, entries, begin, cell, batch))
         continue;
-      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box, nearness_.margin);
+      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box);
       return cut.growth <= tuning::largest_growth ? cut : CellCut{};
     }
     return {};
@@ -133,7 +133,9 @@ class Finder {
     for (const Entry& run : runs) {
       for (std::uint32_t e = run.first; e < run.last; ++e) {
         // Within a run an edge meets none but in the vertex between them.
-        Entry edge{Box::of(points_[e], points_[e + 1]), e, e + 1, run.group, e > run.first || run.gets_on};
+        const bool goes_on = e > run.first || run.goes_on() != 0;
+        Entry edge{Box::of(points_[e], points_[e + 1]).widened(run.margin()), e, e + 1, run.group,
+                   Run::marks_of(goes_on, run.margin())};
         if (clip_to(cell, edge)) entries.push_back(edge);
       }
     }
@@ -147,7 +149,7 @@ class Finder {
   bool clip_to(const Cell& cell, Entry& edge) const {
     const auto keep = [&](CutKind kind, double at, bool right) {
       if (at == infinity || at == -infinity) return true;
-      const Sides sides = divide_edge(points_, edge, {kind, at, 0, nearness_.margin, true});
+      const Sides sides = divide_edge(points_, edge, {kind, at, 0, true});
       edge = right ? sides.right_part : sides.left_part;
       return right ? sides.right : sides.left;
     };
@@ -164,7 +166,7 @@ class Finder {
     for (std::size_t i = begin; i < entries.size(); ++i) {
       const Entry e = entries[i];
       const Sides sides = divide_edge(points_, e, cut);
-      if (sides.touches && nearness_.unsure) nearness_.unsure(e.first);
+      if (sides.touches && unsure_) unsure_(e.first);
       if (sides.right) right.push_back(sides.right_part);
       if (sides.left) entries[left_end++] = sides.left_part;
     }
@@ -210,7 +212,7 @@ class Finder {
       }
       const CellCut cut = choose_cut(entries, task.begin, task.cell, batch);
       if (cut.growth == infinity) {
-        batch.add_all(tail(entries, task.begin), nearness_.margin);
+        batch.add_all(tail(entries, task.begin));
         entries.resize(task.begin);
         continue;
       }
@@ -246,7 +248,7 @@ class Finder {
     parallel_sort(crossers.begin(), crossers.end(), before);
     // Each with those that begin not before it, and before it ends.
     const auto match = [&](const Entry& e, std::span<const Entry> sorted, PairBatch& found) {
-      const double reach = high(e.box, across) + nearness_.margin;
+      const double reach = high(e.box, across);
       for (const Entry& q : sorted) {
         if (low(q.box, across) > reach) break;
         found.add_if(1, e, q);
@@ -280,14 +282,14 @@ class Finder {
   std::span<const Point> points_;
   const PairVisitor& visit_;
   PairGoal goal_;
-  const Nearness& nearness_;
+  const UnsureEdge& unsure_;
 };
 
 }  // namespace
 
 void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit, PairGoal goal,
-                const Nearness& nearness) {
-  Finder(points, visit, goal, nearness).run(std::move(runs));
+                const UnsureEdge& unsure) {
+  Finder(points, visit, goal, unsure).run(std::move(runs));
 }
 
 }  // namespace oblast::noding

@@ -43,19 +43,17 @@ enum class PairGoal {
   boxes,     ///< runs whose boxes meet: never by clipped edges, so slow where many long boxes overlap
 };
 
-/// For a search that is also to visit edges whose boxes meet and that come near each other.
-struct Nearness {
-  double margin = 0;  ///< how near
-  /// Told edges near which it may have missed others, since both touch one edge in a vertex; from several threads.
-  std::function<void(std::uint32_t)> unsure;
-};
+/// Told of edges with margins near which the search may have missed others, since both touch one edge in a vertex.
+/// Called from several threads.
+using UnsureEdge = std::function<void(std::uint32_t)>;
 
 /// Visits, for every two edges of different runs that meet, a pair of runs that holds them, once or more often,
-/// except where both are of one group other than any_group, or one run gets on from the other (monotone_runs.h). Two
+/// except where both are of one group other than any_group, or one run goes on from the other (monotone_runs.h). Two
 /// edges that meet only in a common end need not be visited where both meet a third one there, which is visited with
 /// each. Edge i is (points[i], points[i + 1]). Cost: O((n + k) log n) expected, for k pairs. Memory O(n). The runs are
-/// taken over: they are many, and rearranged as the search goes.
+/// taken over: they are many, and rearranged as the search goes. Edges of runs with margins (Run::margin) are visited,
+/// too, if their boxes meet and they come as near to each other as both margins together.
 void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit,
-                PairGoal goal = PairGoal::meetings, const Nearness& nearness = {});
+                PairGoal goal = PairGoal::meetings, const UnsureEdge& unsure = {});
 
 }  // namespace oblast::noding

@@ -70,7 +70,7 @@ class NearVertexFinder {
       poll();
       look_at(pairs);
     };
-    noding::find_pairs(ends_, std::move(runs), visit, noding::PairGoal::meetings, {reach_, {}});
+    noding::find_pairs(ends_, std::move(runs), visit, noding::PairGoal::meetings);
     parallel_sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return std::move(found_);
@@ -78,11 +78,13 @@ class NearVertexFinder {
 
  private:
   /// Every chord is an edge of the search, and so is every vertex, from itself to itself.
-  void add(const Point& p, const Point& q, noding::Group group, LargeArray<Run>& runs) {
+  void add(const Point& p, const Point& q, double reach, noding::Group group, LargeArray<Run>& runs) {
     const auto edge = static_cast<std::uint32_t>(ends_.size());
     ends_.push_back(p);
     ends_.push_back(q);
-    runs.push_back({Box::of(p, q), edge, edge + 1, group});
+    Run run{Box::of(p, q), edge, edge + 1, group, Run::marks_of(false, reach)};
+    run.box = run.box.widened(run.margin());
+    runs.push_back(run);
   }
 
   LargeArray<Run> chords() {
@@ -94,8 +96,7 @@ class NearVertexFinder {
       if (!span.is_monotone) continue;
       strips_.push_back(strip_of(spans_, span));
       span_of_chord_.push_back(s);
-      reach_ = std::max(reach_, strips_.back().reach);
-      add(spans_.point(span, 0), spans_.point(span, span.count + 1), span_group, runs);
+      add(spans_.point(span, 0), spans_.point(span, span.count + 1), strips_.back().reach, span_group, runs);
     }
     return runs;
   }
@@ -104,7 +105,7 @@ class NearVertexFinder {
     const auto& points = spans_.rings.points;
     ends_.reserve(ends_.size() + 2 * points.size());
     runs.reserve(runs.size() + points.size());
-    for (const Point& p : points) add(p, p, vertex_group, runs);
+    for (const Point& p : points) add(p, p, 0, vertex_group, runs);
   }
 
   void look_at(std::span<const noding::RunPair> pairs) {
@@ -148,7 +149,6 @@ class NearVertexFinder {
   LargeArray<Point> ends_;              ///< two an edge of the search
   Array<Strip> strips_;                 ///< by chord
   Array<std::uint32_t> span_of_chord_;  ///< a span's number
-  double reach_ = 0;
   std::mutex mutex_;
   Array<NearVertex> found_;
 };

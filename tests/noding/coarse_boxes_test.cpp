@@ -21,9 +21,9 @@ std::vector<Run> runs_of(const std::vector<Box>& boxes) {
   return runs;
 }
 
-Pairs visited(const std::vector<Run>& runs, double margin) {
+Pairs visited(const std::vector<Run>& runs) {
   CoarseBoxes coarse;
-  coarse.assign(runs, margin);
+  coarse.assign(runs);
   Pairs pairs;
   coarse.for_each_pair([&](std::size_t i, std::size_t j) { pairs.push_back(std::minmax(i, j)); });
   std::sort(pairs.begin(), pairs.end());
@@ -31,16 +31,16 @@ Pairs visited(const std::vector<Run>& runs, double margin) {
 }
 
 /// Returns how many pairs were visited.
-std::size_t expect_those_that_meet(const std::vector<Box>& boxes, double margin, double size) {
+std::size_t expect_those_that_meet(const std::vector<Box>& boxes, double size) {
   const std::vector<Run> runs = runs_of(boxes);
-  const Pairs pairs = visited(runs, margin);
+  const Pairs pairs = visited(runs);
   EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
-  // Both boxes are wider by the margin, and by a cell.
-  const double apart = 2 * (margin + size / 65000);
+  // Both boxes are wider by a cell.
+  const double apart = 2 * (size / 65000);
   for (std::size_t j = 0; j < boxes.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {
       const bool found = std::binary_search(pairs.begin(), pairs.end(), std::pair(i, j));
-      if (boxes[i].widened(margin).meets(boxes[j])) {
+      if (boxes[i].meets(boxes[j])) {
         EXPECT_TRUE(found) << i << " " << j;
       } else if (!boxes[i].widened(apart).meets(boxes[j])) {
         EXPECT_FALSE(found) << i << " " << j;
@@ -61,8 +61,9 @@ TEST(CoarseBoxes, visitThoseThatMeet) {
           const Point p{random.unit(), random.unit()};
           boxes.push_back({p.x, p.y, p.x + width * random.unit(), p.y + height * random.unit()});
         }
-        pairs += expect_those_that_meet(boxes, 0, 2);
-        pairs += expect_those_that_meet(boxes, 0.01, 2);
+        pairs += expect_those_that_meet(boxes, 2);
+        for (Box& box : boxes) box = box.widened(0.005);
+        pairs += expect_those_that_meet(boxes, 2);
       }
     }
   }
@@ -74,23 +75,22 @@ TEST(CoarseBoxes, meetInEdgesAndCorners) {
   for (int x = 0; x < 20; ++x)
     for (int y = 0; y < 20; ++y) squares.push_back({1.0 * x, 1.0 * y, x + 1.0, y + 1.0});
   // Of 20 x 20: side by side 2 x 19 x 20, corner to corner 2 x 19 x 19.
-  EXPECT_EQ(expect_those_that_meet(squares, 0, 20), 760u + 722u);
+  EXPECT_EQ(expect_those_that_meet(squares, 20), 760u + 722u);
 }
 
 TEST(CoarseBoxes, allInOnePlaceOrOnOneLine) {
   const Box here{3, 4, 3, 4};
-  EXPECT_EQ(visited(runs_of(std::vector<Box>(100, here)), 0).size(), 4950u);
+  EXPECT_EQ(visited(runs_of(std::vector<Box>(100, here))).size(), 4950u);
   std::vector<Box> line;
   for (int i = 0; i < 100; ++i) line.push_back({1.0 * i, 5, i + 1.0, 5});
-  EXPECT_EQ(visited(runs_of(line), 0).size(), 99u);
+  EXPECT_EQ(visited(runs_of(line)).size(), 99u);
 }
 
 TEST(CoarseBoxes, atTheEndsOfTheDomain) {
   const double far = 0x1p300, small = 0x1p-300;
-  EXPECT_EQ(visited(runs_of({{-far, -far, far, far}, {0, 0, small, small}, {far, far, far, far}}), 0).size(), 2u);
-  EXPECT_EQ(
-      visited(runs_of({{0, 0, small, small}, {small, 0, 2 * small, small}, {3 * small, 0, 4 * small, 0}}), 0).size(),
-      1u);
+  EXPECT_EQ(visited(runs_of({{-far, -far, far, far}, {0, 0, small, small}, {far, far, far, far}})).size(), 2u);
+  EXPECT_EQ(visited(runs_of({{0, 0, small, small}, {small, 0, 2 * small, small}, {3 * small, 0, 4 * small, 0}})).size(),
+            1u);
 }
 
 }  // namespace

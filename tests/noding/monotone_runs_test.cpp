@@ -79,16 +79,16 @@ TEST(MonotoneRuns, sayWhereTheirStrandGetsOn) {
   const Strands strands = strands_of({{{0, 0}, {2, 1}, {3, 0}, {1, -1}, {2, -2}}});
   const auto runs = monotone_runs(strands, Grouping::by_strand);
   ASSERT_EQ(runs.size(), 4u);
-  EXPECT_EQ(runs[0].gets_on, 0u);  // where the strand begins
-  EXPECT_EQ(runs[1].gets_on, 1u);
-  EXPECT_EQ(runs[2].gets_on, 1u);
-  EXPECT_EQ(runs[3].gets_on, 1u);
+  EXPECT_EQ(runs[0].goes_on(), 0u);  // where the strand begins
+  EXPECT_EQ(runs[1].goes_on(), 1u);
+  EXPECT_EQ(runs[2].goes_on(), 1u);
+  EXPECT_EQ(runs[3].goes_on(), 1u);
   // Not by more than 1 on either side.
-  const auto by_margin = monotone_runs(strands, Grouping::by_strand, 1);
-  for (const noding::Run& run : by_margin) EXPECT_EQ(run.gets_on, 0u) << run.first;
+  const auto by_margin = monotone_runs(strands, Grouping::by_strand, {1, 0});
+  for (const noding::Run& run : by_margin) EXPECT_EQ(run.goes_on(), 0u) << run.first;
   const auto folded = monotone_runs(strands_of({{{0, 0}, {2, 2}, {1, 1}}}), Grouping::by_strand);
   ASSERT_EQ(folded.size(), 2u);
-  EXPECT_EQ(folded[1].gets_on, 0u);
+  EXPECT_EQ(folded[1].goes_on(), 0u);
 }
 
 TEST(MonotoneRuns, takeTheGroupOfTheirStrand) {
