@@ -20,6 +20,10 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void oblast_on_signal(int) {
   if (flag_is_watched && !flag.exchange(true)) return;
+  if (io::commit_under_way()) {
+    flag = true;
+    return;
+  }
   io::discard_unfinished();
   constexpr char message[] = "\noblast: interrupted; unfinished output removed\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
@@ -46,5 +50,10 @@ bool interrupted() { return flag; }
 
 InterruptFlag::InterruptFlag() { flag_is_watched = true; }
 InterruptFlag::~InterruptFlag() { flag_is_watched = false; }
+
+void InterruptFlag::end() {
+  flag_is_watched = false;
+  if (flag) throw Interrupted();
+}
 
 }  // namespace oblast::app

@@ -2,7 +2,7 @@
 //
 // While an overlay runs, the first signal only raises a flag, which the overlay asks for (it then ends
 // by Error(cancelled)). At any other time, and for a second signal, the handler removes what is half
-// written and ends the program at once.
+// written and ends the program at once; but not while finished files are renamed, when it is too late.
 #pragma once
 
 #include <exception>
@@ -25,6 +25,8 @@ class InterruptFlag {
  public:
   InterruptFlag();
   ~InterruptFlag();
+  /// The work is done: from now on a signal ends the program. Throws Interrupted where one came before.
+  void end();
   InterruptFlag(const InterruptFlag&) = delete;
   InterruptFlag& operator=(const InterruptFlag&) = delete;
 };

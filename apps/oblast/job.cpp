@@ -77,14 +77,16 @@ void check_same_crs(const std::vector<io::Layer>& layers) {
 }
 
 RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options options, ProgressLine& progress) {
-  const InterruptFlag watch;
+  InterruptFlag watch;
   options.progress = [&](Stage stage, double fraction) {
     progress.show(name(stage), fraction);
     return !interrupted();
   };
   try {
-    if (layers.size() == 1) return unite(layers[0].regions, options);
-    return overlay(layers[0].regions, layers[1].regions, job.operation, options);
+    RegionSet result = layers.size() == 1 ? unite(layers[0].regions, options)
+                                          : overlay(layers[0].regions, layers[1].regions, job.operation, options);
+    watch.end();
+    return result;
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled) throw Interrupted();
     if (error.code() == ErrorCode::bad_option) throw CallError(error.what());
@@ -193,6 +195,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   summary.seconds_write = writing.seconds();
 
   if (!arguments.picture.empty()) {
+    if (interrupted()) throw Interrupted();  // while the result took its place
     progress.show("drawing", 0);
     const Stopwatch drawing;
     draw(job, arguments, layers, result);

@@ -71,6 +71,7 @@ int run_command(const Invocation& invocation) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  install_interrupt_handler();
   CLI::App program{"Overlays of polygons: exact, fast, and valid whatever goes in.", "oblast"};
   program.set_version_flag("--version", "oblast " OBLAST_VERSION);
   program.footer(footer);
@@ -97,7 +98,6 @@ int run_program(int argc, char** argv) {
     return after_parse(program, error);
   }
 
-  install_interrupt_handler();
   const int code = run_command(invocation);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
     fmt::print(stderr, "oblast: cannot write to standard output\n");

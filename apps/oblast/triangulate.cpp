@@ -50,13 +50,15 @@ RegionSet polygons_of(const Triangulation& triangulation) {
 }
 
 Triangulation compute(const io::Layer& layer, TriangulateOptions options, ProgressLine& progress) {
-  const InterruptFlag watch;
+  InterruptFlag watch;
   options.progress = [&](Stage stage, double fraction) {
     progress.show(name(stage), fraction);
     return !interrupted();
   };
   try {
-    return triangulate(layer.regions, options);
+    Triangulation result = triangulate(layer.regions, options);
+    watch.end();
+    return result;
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled) throw Interrupted();
     if (error.place().contour == Place::npos) throw;

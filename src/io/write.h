@@ -29,8 +29,11 @@ void check_writable(const std::string& path, const WriteOptions& options = {});
 /// then an older file at `path` is untouched.
 void write(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
 
-/// Removes temporary files of writes under way. Safe to call when the program is interrupted.
+/// Removes temporary files of writes under way. Safe to call in a signal handler.
 void discard_unfinished();
+/// True while finished files take the places of older ones: to end the program now would leave some of each. Safe to
+/// call in a signal handler.
+bool commit_under_way();
 
 /// One line of WKT: MULTIPOLYGON (or POLYGON EMPTY), shortest digits that read back to the same bits.
 std::string to_wkt(const RegionView& regions);

@@ -204,5 +204,44 @@ TEST(Interrupted, atWorkLeavesTheOldOutputAlone) {
   }
 }
 
+// Of reading, overlay and writing, as it comes; where the signal came too late, the new output is there.
+TEST(Interrupted, atAnyMomentLeavesTheOldOutputAloneOrTheNewOneWhole) {
+  const Folder input;
+  write_file(input / "in.wkt", many_triangles(400));
+  const Words union_of_all = {"union", input.path("in.wkt"), "--overwrite", "--fill", "evenodd", "-o"};
+  const auto call = [&](const std::string& out) {
+    Words words = union_of_all;
+    words.push_back(out);
+    return words;
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(oblast_program(call(input.path("whole.gpkg"))).code, 0);
+  const auto whole =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin).count();
+  generators::Random random(5);
+  int stopped = 0;
+  for (const std::string extension : formats) {
+    for (int trial = 0; trial < 4; ++trial) {
+      const Folder folder;
+      const std::string out = folder.path("out." + extension);
+      ASSERT_EQ(oblast_program({"union", "-", "-o", out, "-q"}, square).code, 0);
+      const Kept kept(folder);
+      const std::vector<std::string> names = folder.names();
+      const std::chrono::microseconds delay(static_cast<std::int64_t>(random.unit() * static_cast<double>(whole)));
+      const ProgramRun run = program_interrupted_after(delay, call(out));
+      if (run.code == 0) {
+        EXPECT_EQ(folder.names(), names) << extension << " after " << delay.count() << " us";
+        EXPECT_EQ(oblast_program({"check", out}).code, 0) << extension << " after " << delay.count() << " us";
+        continue;
+      }
+      // -1: before the program had begun to handle signals.
+      EXPECT_TRUE(run.code == 130 || run.code == -1) << run.code << ": " << run.err;
+      kept.expect_unchanged();
+      ++stopped;
+    }
+  }
+  EXPECT_GT(stopped, 0);
+}
+
 }  // namespace
 }  // namespace oblast::test

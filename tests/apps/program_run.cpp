@@ -22,7 +22,8 @@ namespace {
 // The child's output goes to files: nothing can block, whatever it says.
 enum class Interrupt { never, while_reading, while_working };
 
-ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, Interrupt interrupt) {
+ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, Interrupt interrupt,
+                 std::chrono::microseconds delay = std::chrono::milliseconds(200)) {
   std::signal(SIGPIPE, SIG_IGN);
   const Folder folder;
   int feed[2];
@@ -53,7 +54,7 @@ ProgramRun start(const std::vector<std::string>& arguments, const std::string& i
   if (interrupt == Interrupt::while_reading) ::waitpid(child, &status, 0);
   ::close(feed[1]);
   if (interrupt == Interrupt::while_working) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::this_thread::sleep_for(delay);
     ::kill(child, SIGINT);
   }
   if (interrupt != Interrupt::while_reading) ::waitpid(child, &status, 0);
@@ -90,6 +91,10 @@ ProgramRun interrupted_program(const std::vector<std::string>& arguments, const 
 
 ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments, const std::string& input) {
   return start(arguments, input, Interrupt::while_working);
+}
+
+ProgramRun program_interrupted_after(std::chrono::microseconds delay, const std::vector<std::string>& arguments) {
+  return start(arguments, {}, Interrupt::while_working, delay);
 }
 
 std::string read_file(const fs::path& path) {

@@ -1,6 +1,7 @@
 // Starts the program as a person would, in a folder of its own, and catches what it says.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ ProgramRun interrupted_program(const std::vector<std::string>& arguments, const 
 
 /// Feeds all of `input` and a moment later, when the program is at work on it, sends SIGINT.
 ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments, const std::string& input);
+
+/// Sends SIGINT so long after the program was started.
+ProgramRun program_interrupted_after(std::chrono::microseconds delay, const std::vector<std::string>& arguments);
 
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);
