@@ -228,7 +228,7 @@ CellCut best_run_cut(std::span<const Entry> entries, RunParts parts) {
   });
 }
 
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell) {
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, bool may_part) {
   const auto divide = [&](const Entry& e, const CellCut& c) { return divide_edge(points, e, c); };
   const Sample sample(entries);
   // Flat edges are copied until they cross a cell, which is soon.
@@ -248,7 +248,7 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   const bool have_margins =
       std::any_of(sample.span().begin(), sample.span().end(), [](const Entry* e) { return e->margin() > 0; });
   if (have_margins) try_edges(false);
-  if (!have_margins || best.growth > tuning::growth_worth_parting) try_edges(true);
+  if (!have_margins || (may_part && best.growth > tuning::growth_worth_parting)) try_edges(true);
   return best;
 }
 

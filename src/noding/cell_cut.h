@@ -28,8 +28,9 @@ struct CellCut {
   CutKind kind = CutKind::at_x;
   double at = 0;           ///< for at_x and at_y
   std::uint32_t edge = 0;  ///< for along_edge
-  /// Along an edge: others that touch it in a vertex are on one side only, whatever their margin. So a fan can be
-  /// divided, but what comes near them on the other side is missed.
+  /// Along an edge: others with a margin that touch it in a vertex are on one side only. So a fan can be divided, but
+  /// what comes near them on the other side is missed. (Without a margin they are on one side in any case: what they
+  /// meet on the other, the edge meets too.)
   bool parts_touching = true;
   /// Edges in both halves over edges in the cell, by a sample; infinite for a cut that does not help.
   double growth = std::numeric_limits<double>::infinity();
@@ -62,7 +63,8 @@ enum class RunParts : std::uint8_t { edges, whole };
 CellCut best_run_cut(std::span<const Entry> entries, RunParts parts);
 
 /// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell);
+/// `may_part` says whether entries with margins may be missed as CellCut::parts_touching says.
+CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, bool may_part);
 
 /// An entry that, if it went through the cell along the axis, would reach about one of the `count` others in it.
 bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count);

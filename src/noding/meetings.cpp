@@ -370,6 +370,27 @@ class MeetingTest {
   bool met_ = false;  ///< the two edges looked at meet
 };
 
+/// Whether two vertices of the strand that are nodes lie at one place.
+bool touches_itself(const Strands& strands, std::size_t strand) {
+  Array<Point> nodes;
+  for (std::uint32_t v = strands.begin(strand); v + 1 < strands.ends[strand]; ++v)
+    if (strands.flags[v] & node_flag) nodes.push_back(strands.points[v]);
+  std::sort(nodes.begin(), nodes.end(), lexicographically_less);
+  return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
+}
+
+/// Adds the strands that touch themselves. Where edges of others go through the same vertex, the search need not visit
+/// the two edges of the strand together (pair_finder.h); but both its vertices there are nodes.
+void add_touching(const Strands& strands, Array<std::uint32_t>& tangled) {
+  Array<std::uint8_t> found(strands.size(), 0);
+  for_ranges(strands.size(), grain(strands.size(), strands.points.size()), [&](std::size_t first, std::size_t past) {
+    for (; first < past; ++first)
+      found[first] = strands.simplicity[first] == Simplicity::assumed && touches_itself(strands, first);
+  });
+  for (std::uint32_t s = 0; s < strands.size(); ++s)
+    if (found[s]) tangled.push_back(s);
+}
+
 }  // namespace
 
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
@@ -400,6 +421,7 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
       tangled.insert(tangled.end(), part.first.tangled.begin(), part.first.tangled.end());
       first->identical |= part.first.identical;
     }
+    if (first->seeks_tangled) add_touching(strands, tangled);
     std::sort(tangled.begin(), tangled.end());
     tangled.erase(std::unique(tangled.begin(), tangled.end()), tangled.end());
     if (first->asks_for_change()) return {};

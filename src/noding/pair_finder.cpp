@@ -113,7 +113,7 @@ class Finder {
     while (count() > tuning::clipped_edges_of_one_cell) {
       if (match_crossers(Axis::x, entries, begin, cell, batch) || match_crossers(Axis::y, entries, begin, cell, batch))
         continue;
-      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box);
+      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box, unsure_ != nullptr);
       return cut.growth <= tuning::largest_growth ? cut : CellCut{};
     }
     return {};

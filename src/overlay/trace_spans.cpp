@@ -101,11 +101,21 @@ class NearVertexFinder {
     return runs;
   }
 
+  /// One at each place: where a fan touches itself they are many.
   void add_vertices(LargeArray<Run>& runs) {
-    const auto& points = spans_.rings.points;
-    ends_.reserve(ends_.size() + 2 * points.size());
-    runs.reserve(runs.size() + points.size());
-    for (const Point& p : points) add(p, p, 0, vertex_group, runs);
+    const Rings& rings = spans_.rings;
+    Array<std::uint32_t> touches;
+    for (std::uint32_t v = 0; v < rings.points.size(); ++v)
+      (rings.flags[v] & touch_vertex ? touches : vertices_).push_back(v);
+    parallel_sort(touches.begin(), touches.end(), [&](std::uint32_t v, std::uint32_t w) {
+      const Point &p = rings.points[v], &q = rings.points[w];
+      return p != q ? lexicographically_less(p, q) : v < w;
+    });
+    for (std::size_t i = 0; i < touches.size(); ++i)
+      if (i == 0 || rings.points[touches[i]] != rings.points[touches[i - 1]]) vertices_.push_back(touches[i]);
+    ends_.reserve(ends_.size() + 2 * vertices_.size());
+    runs.reserve(runs.size() + vertices_.size());
+    for (const std::uint32_t v : vertices_) add(rings.points[v], rings.points[v], 0, vertex_group, runs);
   }
 
   void look_at(std::span<const noding::RunPair> pairs) {
@@ -113,7 +123,7 @@ class NearVertexFinder {
     const auto chords = static_cast<std::uint32_t>(strips_.size());
     for (const noding::RunPair& pair : pairs) {
       const std::uint32_t chord = std::min(pair.first_p, pair.first_q) / 2;
-      look_at(chord, std::max(pair.first_p, pair.first_q) / 2 - chords, found);
+      look_at(chord, vertices_[std::max(pair.first_p, pair.first_q) / 2 - chords], found);
     }
     if (found.empty()) return;
     const std::lock_guard lock(mutex_);
@@ -149,6 +159,7 @@ class NearVertexFinder {
   LargeArray<Point> ends_;              ///< two an edge of the search
   Array<Strip> strips_;                 ///< by chord
   Array<std::uint32_t> span_of_chord_;  ///< a span's number
+  Array<std::uint32_t> vertices_;       ///< those looked for, as indices in the rings' points
   std::mutex mutex_;
   Array<NearVertex> found_;
 };

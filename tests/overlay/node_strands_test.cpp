@@ -2,6 +2,9 @@
 #include "overlay/node_strands.h"
 
 #include <gtest/gtest.h>
+#include <oblast/overlay.h>
+
+#include <cmath>
 
 #include "overlay/collect.h"
 #include "verify/text_regions.h"
@@ -78,6 +81,23 @@ TEST(NodeStrands, amongManyContoursEachTangledOneIsResolved) {
   const Noded n = noded(polygons);
   EXPECT_EQ(n.resolved, 100u);
   EXPECT_EQ(n.area, 100 * 32 + 200 * 40);
+}
+
+TEST(NodeStrands, aRingThatTouchesItselfInTheMiddleOfAFanIsResolved) {
+  // A search that cuts along edges need not visit the two lobes' edges together: edges of the fan meet both.
+  for (const int slivers : {10, 500, 2000}) {
+    RegionSet fan;
+    for (int i = 0; i < slivers; ++i) {
+      const double angle = i * 6.2831853 / slivers, next = angle + 0.3 / slivers, length = 20 + i % 7;
+      fan.points.insert(fan.points.end(), {{0, 0},
+                                           {length * std::cos(angle), length * std::sin(angle)},
+                                           {length * std::cos(next), length * std::sin(next)}});
+      fan.contour_ends.push_back(static_cast<std::uint32_t>(fan.points.size()));
+    }
+    // Two lobes, opposite ways round.
+    const RegionSet lobes = regions_of("-12 9, 0 0, 6 -6, -8 -9, 0 0, -1 4");
+    EXPECT_EQ(overlay(fan, lobes, Operation::unite), overlay(fan, unite(lobes), Operation::unite)) << slivers;
+  }
 }
 
 }  // namespace
