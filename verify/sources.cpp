@@ -178,9 +178,18 @@ double Sources::displacement_ulps(const Point& p) const {
 
 namespace {
 
-bool cross(const InputEdge& e, const InputEdge& f) {
-  return side_of_line(e.from, e.to, f.from) * side_of_line(e.from, e.to, f.to) < 0 &&
-         side_of_line(f.from, f.to, e.from) * side_of_line(f.from, f.to, e.to) < 0;
+/// Whether the edges have a point in common, and p, an end of e, is not on f.
+bool meet_beside(const Point& p, const InputEdge& e, const InputEdge& f) {
+  if (side_of_line(e.from, e.to, f.from) * side_of_line(e.from, e.to, f.to) > 0) return false;
+  if (side_of_line(f.from, f.to, e.from) * side_of_line(f.from, f.to, e.to) > 0) return false;
+  return squared_distance(RationalPoint(p), f.from, f.to) != 0;
+}
+
+/// Whether both edges go from p into the same direction, exactly: a fold, of which the shorter edge cancels.
+bool leave_together(const Point& p, const InputEdge& e, const InputEdge& f) {
+  if ((e.from != p && e.to != p) || (f.from != p && f.to != p)) return false;
+  const Point &u = e.from == p ? e.to : e.from, &v = f.from == p ? f.to : f.from;
+  return side_of_line(p, u, v) == 0 && lexicographically_less(p, u) == lexicographically_less(p, v);
 }
 
 }  // namespace
@@ -198,7 +207,8 @@ bool Sources::may_have_cancelled(const Point& p) const {
     const RationalPoint end{at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
     bool covered = false;
     for (std::size_t j = 0; j < edges_.size() && !covered; ++j)
-      covered = j != i && (near(end, edges_[j]) || (near(p, edges_[j]) && cross(e, edges_[j])));
+      covered = j != i && (near(end, edges_[j]) || (near(p, edges_[j]) && meet_beside(p, e, edges_[j])) ||
+                           leave_together(p, e, edges_[j]));
     if (!covered) return false;
   }
   return true;

@@ -53,7 +53,8 @@ class Sources {
 
   /// True when every edge at vertex p may have cancelled: a stretch of three times the bound from p on, or the whole
   /// edge if it is shorter, ends within the bound of another input edge, so rounding may have put both onto one line;
-  /// or the edge crosses another one within the bound of p, so the tip beyond it may have become flat.
+  /// or the edge meets another one within the bound of p, so the tip beyond it may have become flat; or another edge
+  /// leaves p in the same direction, so the shorter of the two cancels.
   bool may_have_cancelled(const Point& p) const;
 
   /// True when vertex p may lie on an edge only since traces were taken out of it, which moved it: p is not exactly on
