@@ -38,6 +38,8 @@ class Control {
     if (stopped_.load(std::memory_order_relaxed)) throw Stopped{};
     const Turn turn(asking_);
     if (!turn.taken) return;
+    // Another thread may have been told to stop since.
+    if (stopped_.load(std::memory_order_relaxed)) throw Stopped{};
     const auto interval = std::chrono::microseconds(tuning::microseconds_a_question);
     if (std::chrono::steady_clock::now() - asked_ < interval) return;
     ask(next_fraction());
