@@ -145,9 +145,12 @@ double repeated_part(const Strands& strands) {
   });
   Array<std::uint64_t> chosen;
   for (const auto& hashes : found) chosen.insert(chosen.end(), hashes.begin(), hashes.end());
+  // Copies are chosen together or not at all. A sample that is much smaller than expected may therefore miss all the
+  // copies of a few edges, and says nothing.
+  if (chosen.size() * 2 < edges / one_in) return tuning::many_repeated / 2;
   std::sort(chosen.begin(), chosen.end());
   const auto different = std::unique(chosen.begin(), chosen.end()) - chosen.begin();
-  return chosen.empty() ? 0 : 1 - static_cast<double>(different) / static_cast<double>(chosen.size());
+  return 1 - static_cast<double>(different) / static_cast<double>(chosen.size());
 }
 
 /// Finds to every edge the first one with the same ends, among those of which is_candidate(hash) holds.

@@ -12,6 +12,7 @@
 #include "generators/random.h"
 #include "generators/soup.h"
 #include "noding/monotone_runs.h"
+#include "support/usual_tuning.h"
 
 namespace oblast {
 namespace {
@@ -43,7 +44,9 @@ TEST(Passive, contoursFarApartAreAllPassive) {
     }
   const ChainGraph graph = noded_graph(set, nullptr, FillRule::nonzero());
   LargeArray<Winding> right(graph.chains.size(), Winding{7, 7});
-  EXPECT_TRUE(vatti::label_passive(graph, live_chains(graph), right).empty());
+  const auto active = vatti::label_passive(graph, live_chains(graph), right);
+  if (!testing::usual_tuning) GTEST_SKIP() << "may look coarsely";
+  EXPECT_TRUE(active.empty());
   EXPECT_EQ(right, leonov_nikitin::label(graph));
 }
 
@@ -89,7 +92,9 @@ TEST(Passive, noBoxOfAPassiveContourMeetsAnother) {
     const LargeArray<Winding> all = vatti::label(graph);
     for (const std::uint32_t c : live) EXPECT_EQ(all[c], expected[c]);
   }
-  EXPECT_GT(passive_count, 1000u);
+  if (testing::usual_tuning) {
+    EXPECT_GT(passive_count, 1000u);
+  }
 }
 
 }  // namespace

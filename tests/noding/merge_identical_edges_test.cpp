@@ -127,6 +127,16 @@ TEST(MergeIdenticalEdges, ofManyEdgesAllWhereSomeAreRepeated) {
   }
 }
 
+TEST(MergeIdenticalEdges, ofManyCopiesOfFewEdgesWhereverTheyLie) {
+  // The sample is drawn by the bits of the coordinates: of four different edges it may contain none.
+  for (int place = 0; place < 20; ++place) {
+    const double x = 0.013 + 0.1 * place;
+    const std::vector<std::vector<Point>> copies(4000,
+                                                 closed({{x, x}, {x + 1.3, x + 0.1}, {x + 1.1, x + 1.7}, {x, x + 1}}));
+    EXPECT_FALSE(identical_edges(strands_of(copies), Seek::if_frequent).empty()) << place;
+  }
+}
+
 TEST(MergeIdenticalEdges, ofManyEdgesNoneRepeated) {
   const Strands strands = squares(20000, 0.5, 1 << 30);
   EXPECT_TRUE(identical_edges(strands).empty());

@@ -9,6 +9,7 @@
 #include "exact/orientation.h"
 #include "generators/random.h"
 #include "support/strands_of.h"
+#include "support/usual_tuning.h"
 
 namespace oblast::noding {
 namespace {
@@ -112,12 +113,13 @@ TEST(RingTree, findsWhatMeetsOnAGrid) {
     if (paths.empty()) continue;
     const Rings rings(paths);
     const std::optional<bool> meet = edges_meet(rings);
+    if (!meet && !testing::usual_tuning) continue;
     ASSERT_TRUE(meet.has_value());
     ASSERT_EQ(*meet, meet_by_every_pair(rings)) << trial;
     ++(*meet ? meeting : apart);
   }
-  EXPECT_GT(meeting, 1000);
-  EXPECT_GT(apart, 1000);
+  EXPECT_GT(meeting, testing::usual_tuning ? 1000 : 100);
+  EXPECT_GT(apart, testing::usual_tuning ? 1000 : 100);
 }
 
 TEST(RingTree, knowsHowDeepRingsLie) {
@@ -133,13 +135,15 @@ TEST(RingTree, knowsHowDeepRingsLie) {
     const Rings rings(paths);
     RingTree tree;
     tree.build(rings.points, rings.ends);
+    if (!tree.edges_meet() && !testing::usual_tuning) continue;
     ASSERT_EQ(tree.edges_meet(), false);
     const std::optional<Array<bool>> odd = tree.odd_depths();
+    if (!odd && !testing::usual_tuning) continue;
     ASSERT_TRUE(odd.has_value());
     ASSERT_EQ(*odd, depths_by_every_edge(rings)) << trial;
     deep += static_cast<int>(std::count(odd->begin(), odd->end(), true));
   }
-  EXPECT_GT(deep, 1000);
+  EXPECT_GT(deep, testing::usual_tuning ? 1000 : 10);
 }
 
 TEST(RingTree, countsRingsThatStandLevelWithEachOther) {
@@ -151,6 +155,7 @@ TEST(RingTree, countsRingsThatStandLevelWithEachOther) {
   const Rings rings(paths);
   RingTree tree;
   tree.build(rings.points, rings.ends);
+  if (!tree.edges_meet() && !testing::usual_tuning) GTEST_SKIP() << "gives up sooner";
   EXPECT_EQ(tree.edges_meet(), false);
   Array<bool> expected(paths.size(), true);
   expected[0] = false;

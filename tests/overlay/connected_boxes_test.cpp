@@ -11,6 +11,7 @@
 
 #include "generators/random.h"
 #include "overlay/disjoint_sets.h"
+#include "support/usual_tuning.h"
 
 namespace oblast {
 namespace {
@@ -56,7 +57,12 @@ TEST(ConnectedBoxes, asBruteForceFindsThem) {
     }
     const ConnectedBoxes connected = connected_boxes(boxes);
     expect_order_of_all(connected, boxes.size());
-    ASSERT_EQ(smallest_of(connected), smallest_connected(boxes)) << "round " << round;
+    const auto found = smallest_of(connected), expected = smallest_connected(boxes);
+    if (testing::usual_tuning) {
+      ASSERT_EQ(found, expected) << "round " << round;
+    } else {  // what is connected is together; more may be
+      for (std::uint32_t i = 0; i < boxes.size(); ++i) ASSERT_EQ(found[i], found[expected[i]]) << "round " << round;
+    }
   }
 }
 

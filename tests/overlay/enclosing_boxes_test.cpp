@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/random.h"
+#include "support/usual_tuning.h"
 
 namespace oblast {
 namespace {
@@ -27,8 +28,14 @@ void expect_right(const Boxes& b) {
     for (std::size_t j = 0; j < n; ++j)
       if (i != j && b.boxes[i].meets(Box::of(b.points[j], b.points[j]))) encloses[i] = enclosed[j] = 1;
   const Enclosure found = find_enclosing(b.boxes, b.points);
-  EXPECT_EQ(found.encloses, encloses);
-  EXPECT_EQ(found.enclosed, enclosed);
+  if (testing::usual_tuning) {
+    EXPECT_EQ(found.encloses, encloses);
+    EXPECT_EQ(found.enclosed, enclosed);
+  }
+  for (std::size_t i = 0; i < n; ++i) {  // more may be said to
+    EXPECT_GE(found.encloses[i], encloses[i]) << i;
+    EXPECT_GE(found.enclosed[i], enclosed[i]) << i;
+  }
 }
 
 TEST(EnclosingBoxes, areThoseOfEveryPair) {
