@@ -8,7 +8,9 @@
 #include <oblast/point.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 namespace oblast::noding {
@@ -20,8 +22,11 @@ inline double largest_coordinate(std::span<const Point> points) {
 }
 
 /// Of a coordinate of the domain; a crossing moves by no more than half of it in either coordinate.
+/// By the bits of its exponent: this is asked for every run.
 inline double ulp_of(double coordinate) {
-  return std::max(std::ldexp(1.0, std::ilogb(std::max(coordinate, domain_smallest)) - 52), domain_smallest);
+  constexpr std::uint64_t exponent_bits = 0x7ff0'0000'0000'0000;
+  const auto bits = std::bit_cast<std::uint64_t>(std::max(coordinate, domain_smallest));
+  return std::max(std::bit_cast<double>(bits & exponent_bits) * 0x1p-52, domain_smallest);
 }
 
 }  // namespace oblast::noding

@@ -31,6 +31,12 @@ bool goes_on(const Point& u, const Point& v, const Point& w, double margin) {
 using Begins = Array<std::uint64_t>;
 constexpr std::size_t edges_a_word = 64;
 
+/// The margin of a run with this box.
+double margin_of(const Box& box, double ulps) {
+  return ulps * ulp_of(std::max(std::max(std::fabs(box.x0), std::fabs(box.x1)),
+                                std::max(std::fabs(box.y0), std::fabs(box.y1))));
+}
+
 class RunFinder {
  public:
   RunFinder(const Strands& strands, Grouping grouping, const RunMargins& margins)
@@ -114,7 +120,7 @@ class RunFinder {
                     goes_on(points_[first - 1], points_[first], points_[first + 1], margins_.vertex);
     const Box box = Box::of(points_[first], points_[last]);
     if (margins_.ulps == 0) return {box, first, last, group, on};
-    const double margin = margins_.of(box);
+    const double margin = margin_of(box, margins_.ulps);
     return {box.widened(margin), first, last, group, Run::marks_of(on, margin)};
   }
 
@@ -126,10 +132,6 @@ class RunFinder {
 };
 
 }  // namespace
-
-double RunMargins::of(const Box& box) const {
-  return ulps * ulp_of(std::max({std::fabs(box.x0), std::fabs(box.y0), std::fabs(box.x1), std::fabs(box.y1)}));
-}
 
 LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const RunMargins& margins) {
   constexpr std::size_t edges_a_range = tuning::run_words_a_range * edges_a_word;

@@ -83,8 +83,6 @@ enum class Grouping {
 struct RunMargins {
   double vertex = 0;  ///< a strand goes on at a vertex if it does so by more than this on either side
   double ulps = 0;    ///< margin of each run, in units in the last place of its own largest coordinate
-
-  double of(const Box& box) const;
 };
 
 /// Cost: linear.
