@@ -13,8 +13,8 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/call_memory.h"
-#include "memory/memory_budget.h"
+#include "base/call_memory.h"
+#include "base/memory_budget.h"
 
 namespace oblast {
 

@@ -10,7 +10,7 @@
 //
 // Each comment says what the constant trades and where that was measured: commits name the figures, "level" is within
 // the spread of two measurements, and "not measured" is meant so. Not here: bounds of rounding errors, sizes of formats
-// and registers, the domain, how far ahead memory is fetched (memory/fetch.h: advice).
+// and registers, the domain, how far ahead memory is fetched (base/fetch.h: advice).
 #pragma once
 
 #include <cstddef>

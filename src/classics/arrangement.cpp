@@ -6,7 +6,7 @@
 #include "classics/clearance.h"
 #include "engines/leonov_nikitin/label.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 

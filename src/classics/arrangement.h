@@ -2,7 +2,7 @@
 #pragma once
 
 #include "classics/operand.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::classics {

@@ -5,7 +5,7 @@
 
 #include "base/tuning.h"
 #include "classics/far.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/box_tree.h"
 
 namespace oblast::classics {

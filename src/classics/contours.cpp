@@ -5,8 +5,8 @@
 
 #include "base/index.h"
 #include "engines/leonov_nikitin/label.h"
-#include "memory/call_memory.h"
-#include "memory/memory_budget.h"
+#include "base/call_memory.h"
+#include "base/memory_budget.h"
 #include "noding/point_hash.h"
 #include "overlay/assemble.h"
 #include "overlay/link.h"

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::classics {

@@ -15,7 +15,7 @@
 #include "classics/crossing.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

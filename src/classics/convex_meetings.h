@@ -5,7 +5,7 @@
 
 #include "classics/contours.h"
 #include "classics/operand.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

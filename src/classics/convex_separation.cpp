@@ -6,7 +6,7 @@
 #include <array>
 
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <oblast/point.h>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

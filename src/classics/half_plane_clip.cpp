@@ -15,7 +15,7 @@
 
 #include "base/index.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "classics/crossing.h"
 #include "classics/operand.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

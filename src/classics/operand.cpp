@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

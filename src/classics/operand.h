@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

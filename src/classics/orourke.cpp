@@ -19,7 +19,7 @@
 #include "classics/operand.h"
 #include "classics/settle.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "classics/contours.h"
 #include "classics/half_plane_clip.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

@@ -9,7 +9,7 @@
 #include "classics/half_plane_clip.h"
 #include "classics/round_clip.h"
 #include "classics/settle.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/simple_ring.h"
 
 namespace oblast {

@@ -15,7 +15,7 @@
 #include "classics/arrangement.h"
 #include "classics/contours.h"
 #include "classics/settle.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/locate_below.h"
 
 namespace oblast {

@@ -7,7 +7,7 @@
 #include "base/public_call.h"
 #include "exact/orientation.h"
 #include "hull/lee.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/simple_ring.h"
 #include "overlay/validate.h"
 

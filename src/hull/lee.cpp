@@ -22,7 +22,7 @@
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/clearance.h"
 #include "noding/meetings.h"
 #include "noding/strands.h"

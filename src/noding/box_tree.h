@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {

@@ -6,7 +6,7 @@
 
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/point_hash.h"
 
 namespace oblast::noding {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {

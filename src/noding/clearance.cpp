@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/largest_ulp.h"
 
 namespace oblast::noding {

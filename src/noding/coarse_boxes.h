@@ -11,7 +11,7 @@
 #include <span>
 
 #include "base/tuning.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/monotone_runs.h"
 
 #ifdef __SSE2__

@@ -13,7 +13,7 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 
 namespace oblast::noding {
 namespace {

@@ -17,7 +17,7 @@
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/arrange_cuts.h"
 #include "noding/clearance.h"
 #include "noding/edges_in.h"

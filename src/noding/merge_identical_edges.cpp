@@ -7,8 +7,8 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/fetch.h"
-#include "memory/large_pages.h"
+#include "base/fetch.h"
+#include "base/large_pages.h"
 #include "noding/point_hash.h"
 
 namespace oblast::noding {

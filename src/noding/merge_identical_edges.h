@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/strands.h"
 
 namespace oblast::noding {

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/largest_ulp.h"
 
 namespace oblast::noding {

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/strands.h"
 
 #ifdef __SSE2__

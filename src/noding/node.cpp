@@ -6,7 +6,7 @@
 
 #include "base/tuning.h"
 #include "exact/expansion.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/cell_cut.h"
 #include "noding/coarse_boxes.h"
 

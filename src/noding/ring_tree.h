@@ -17,7 +17,7 @@
 #include <optional>
 #include <span>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {

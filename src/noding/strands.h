@@ -15,8 +15,8 @@
 #include <cstdint>
 
 #include "base/index.h"
-#include "memory/call_memory.h"
-#include "memory/large_pages.h"
+#include "base/call_memory.h"
+#include "base/large_pages.h"
 
 namespace oblast::noding {
 

@@ -6,7 +6,7 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "overlay/smallest_vertex.h"
 
 namespace oblast {

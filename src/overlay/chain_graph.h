@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "memory/fetch.h"
-#include "memory/large_pages.h"
+#include "base/fetch.h"
+#include "base/large_pages.h"
 #include "noding/strands.h"
 
 namespace oblast {

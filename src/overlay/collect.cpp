@@ -6,7 +6,7 @@
 
 #include "base/index.h"
 #include "base/parallel.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"

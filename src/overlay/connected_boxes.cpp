@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/curve_order.h"
 #include "overlay/disjoint_sets.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast {
 

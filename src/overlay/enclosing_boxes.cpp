@@ -6,7 +6,7 @@
 
 #include "base/call.h"
 #include "base/tuning.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "overlay/connected_boxes.h"
 
 namespace oblast {

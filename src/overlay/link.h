@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/select.h"
 
 namespace oblast {

@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/locate_below.h"
 #include "overlay/smallest_vertex.h"
 

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/rings.h"
 
 namespace oblast {

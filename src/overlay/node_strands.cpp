@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"

@@ -9,7 +9,7 @@
 #include "engines/leonov_nikitin/label.h"
 #include "engines/skvortsov/extract.h"
 #include "engines/vatti/label.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/assemble.h"
 #include "overlay/chain_graph.h"
 #include "overlay/collect.h"

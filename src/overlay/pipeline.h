@@ -4,7 +4,7 @@
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
-#include "memory/memory_budget.h"
+#include "base/memory_budget.h"
 #include "overlay/control.h"
 
 namespace oblast {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/call.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/pipeline.h"
 
 namespace oblast {

@@ -3,7 +3,7 @@
 
 #include <oblast/region_set.h>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/strands.h"
 #include "overlay/control.h"
 

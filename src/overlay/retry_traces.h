@@ -1,7 +1,7 @@
 // Trace vertices of spans that may not go as a whole: some of their vertices may.
 #pragma once
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/trace_spans.h"
 
 namespace oblast {

@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/fetch.h"
-#include "memory/large_pages.h"
+#include "base/fetch.h"
+#include "base/large_pages.h"
 
 namespace oblast {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "overlay/link.h"
 
 namespace oblast {

@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 
 namespace oblast {
 

@@ -3,7 +3,7 @@
 
 #include <oblast/options.h>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast {

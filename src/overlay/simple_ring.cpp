@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"

@@ -4,7 +4,7 @@
 
 #include "base/call.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "triangulation/flip.h"
 #include "triangulation/pocket.h"
 

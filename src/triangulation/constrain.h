@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "triangulation/locate.h"
 #include "triangulation/spatial_order.h"
 

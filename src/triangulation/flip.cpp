@@ -1,7 +1,7 @@
 #include "triangulation/flip.h"
 
 #include "exact/in_circle.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::triangulation {
 namespace {

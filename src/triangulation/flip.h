@@ -1,7 +1,7 @@
 // Lawson's flips in a triangulation with constraints.
 #pragma once
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {

@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::triangulation {
 

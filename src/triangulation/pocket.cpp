@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::triangulation {
 namespace {

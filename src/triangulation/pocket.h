@@ -9,7 +9,7 @@
 // A side whose two triangles are both taken out dangles: it is twice on the border of the pocket.
 #pragma once
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::triangulation {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/tuning.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "noding/curve_order.h"
 
 namespace oblast::triangulation {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "base/public_call.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/stage_shares.h"
 #include "overlay/validate.h"
 #include "triangulation/constrain.h"

@@ -11,7 +11,7 @@
 #include "base/index_limits.h"
 #include "faults/allocations.h"
 #include "generators/hostile.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "support/public_functions.h"
 
 namespace oblast::testing {

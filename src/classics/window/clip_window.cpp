@@ -6,7 +6,7 @@
 #include "classics/operand.h"
 #include "classics/settle.h"
 #include "classics/window/window_clip.h"
-#include "memory/block_resource.h"
+#include "base/block_resource.h"
 #include "overlay/validate.h"
 
 namespace oblast {

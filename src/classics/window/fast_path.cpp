@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "classics/window/window_clip.h"
-#include "memory/block_resource.h"
+#include "base/block_resource.h"
 
 namespace oblast::classics {
 namespace {

@@ -5,7 +5,7 @@
 #include "classics/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::classics {
 

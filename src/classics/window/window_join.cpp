@@ -6,8 +6,8 @@
 #include "base/index.h"
 #include "classics/contours.h"
 #include "classics/window/window_clip.h"
-#include "memory/call_memory.h"
-#include "memory/memory_budget.h"
+#include "base/call_memory.h"
+#include "base/memory_budget.h"
 #include "overlay/simple_ring.h"
 
 namespace oblast::classics {

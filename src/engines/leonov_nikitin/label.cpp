@@ -17,7 +17,7 @@
 #include "base/tuning.h"
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
-#include "memory/large_pages.h"
+#include "base/large_pages.h"
 #include "overlay/enclosing_boxes.h"
 #include "overlay/locate_below.h"
 #include "overlay/smallest_vertex.h"

@@ -23,7 +23,7 @@
 // Cost measured: docs/growth.md, beside the other engines.
 #pragma once
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::leonov_nikitin {

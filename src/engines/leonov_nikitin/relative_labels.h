@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::leonov_nikitin {

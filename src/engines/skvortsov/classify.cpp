@@ -1,7 +1,7 @@
 #include "engines/skvortsov/classify.h"
 
 #include "base/call.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/select.h"
 
 namespace oblast::skvortsov {

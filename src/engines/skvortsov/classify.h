@@ -12,7 +12,7 @@
 #include <oblast/options.h>
 
 #include "engines/skvortsov/marked_mesh.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::skvortsov {
 

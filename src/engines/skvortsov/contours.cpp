@@ -2,7 +2,7 @@
 
 #include "base/call.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::skvortsov {
 namespace {

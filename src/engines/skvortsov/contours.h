@@ -13,7 +13,7 @@
 #pragma once
 
 #include "engines/skvortsov/marked_mesh.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/nesting.h"
 #include "overlay/rings.h"
 

@@ -4,7 +4,7 @@
 #include "engines/skvortsov/classify.h"
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/stage_shares.h"
 
 namespace oblast::skvortsov {

@@ -2,7 +2,7 @@
 
 #include "base/call.h"
 #include "base/index.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 

@@ -1,7 +1,7 @@
 // Step 1: the triangulation whose sides know how often each operand passes along them.
 #pragma once
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 #include "triangulation/mesh.h"
 

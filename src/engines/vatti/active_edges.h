@@ -15,7 +15,7 @@
 
 #include "engines/vatti/bounds.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::vatti {
 

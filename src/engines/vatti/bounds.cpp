@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::vatti {
 namespace {

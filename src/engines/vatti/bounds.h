@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/chain_graph.h"
 
 namespace oblast::vatti {

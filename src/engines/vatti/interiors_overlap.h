@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "engines/vatti/contour_trees.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::vatti {
 

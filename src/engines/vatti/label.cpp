@@ -11,7 +11,7 @@
 #include "engines/vatti/active_edges.h"
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast::vatti {
 namespace {

@@ -17,7 +17,7 @@
 #include "engines/vatti/contour_trees.h"
 #include "engines/vatti/interiors_overlap.h"
 #include "engines/vatti/raster_pyramid.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/validate.h"
 
 namespace oblast {

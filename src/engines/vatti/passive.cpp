@@ -8,7 +8,7 @@
 #include "base/call.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "overlay/disjoint_sets.h"
 
 namespace oblast::vatti {

@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::vatti {

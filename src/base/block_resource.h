@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <memory_resource>
 
-#include "memory/kept_blocks.h"
+#include "base/kept_blocks.h"
 
 namespace oblast {
 

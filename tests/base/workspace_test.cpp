@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "generators/hostile.h"
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

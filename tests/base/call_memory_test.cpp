@@ -1,5 +1,5 @@
 // Memory of a call: arrays do not share it, use it again, and go elsewhere when it is used up.
-#include "memory/call_memory.h"
+#include "base/call_memory.h"
 
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>

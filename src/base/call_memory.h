@@ -15,7 +15,7 @@
 
 #include "base/call.h"
 #include "base/tuning.h"
-#include "memory/kept_blocks.h"
+#include "base/kept_blocks.h"
 
 namespace oblast {
 

@@ -15,8 +15,8 @@
 
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "memory/call_memory.h"
-#include "memory/pages.h"
+#include "base/call_memory.h"
+#include "base/pages.h"
 
 namespace oblast {
 

@@ -1,4 +1,4 @@
-#include "memory/pages.h"
+#include "base/pages.h"
 
 #ifdef __linux__
 #include <sys/mman.h>

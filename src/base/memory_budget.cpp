@@ -1,4 +1,4 @@
-#include "memory/memory_budget.h"
+#include "base/memory_budget.h"
 
 #include <oblast/error.h>
 

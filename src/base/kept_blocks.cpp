@@ -1,4 +1,4 @@
-#include "memory/kept_blocks.h"
+#include "base/kept_blocks.h"
 
 #include <oblast/workspace.h>
 
@@ -6,7 +6,7 @@
 
 #include "base/call.h"
 #include "base/tuning.h"
-#include "memory/memory_budget.h"
+#include "base/memory_budget.h"
 
 namespace oblast {
 namespace {
