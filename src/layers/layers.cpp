@@ -14,9 +14,9 @@
 
 #include "base/public_call.h"
 #include "base/tuning.h"
-#include "engines/vatti/contour_trees.h"
-#include "engines/vatti/interiors_overlap.h"
-#include "engines/vatti/raster_pyramid.h"
+#include "layers/contour_trees.h"
+#include "layers/interiors_overlap.h"
+#include "layers/raster_pyramid.h"
 #include "base/call_memory.h"
 #include "overlay/validate.h"
 

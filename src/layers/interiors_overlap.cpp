@@ -1,5 +1,5 @@
 // Whether the interiors of two simple contours overlap.
-#include "engines/vatti/interiors_overlap.h"
+#include "layers/interiors_overlap.h"
 
 #include "exact/orientation.h"
 

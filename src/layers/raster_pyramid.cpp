@@ -1,5 +1,5 @@
 // The auxiliary raster of `layers`.
-#include "engines/vatti/raster_pyramid.h"
+#include "layers/raster_pyramid.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // Contours ready to be compared.
-#include "engines/vatti/contour_trees.h"
+#include "layers/contour_trees.h"
 
 #include <algorithm>
 #include <bit>

@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "engines/vatti/contour_trees.h"
+#include "layers/contour_trees.h"
 #include "base/call_memory.h"
 
 namespace oblast::vatti {
