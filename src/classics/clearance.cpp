@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/tuning.h"
-#include "classics/far.h"
+#include "plane/far.h"
 #include "base/call_memory.h"
-#include "noding/box_tree.h"
+#include "plane/box_tree.h"
 
 namespace oblast::classics {
 namespace {

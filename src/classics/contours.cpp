@@ -7,7 +7,7 @@
 #include "engines/leonov_nikitin/label.h"
 #include "base/call_memory.h"
 #include "base/memory_budget.h"
-#include "noding/point_hash.h"
+#include "plane/point_hash.h"
 #include "overlay/assemble.h"
 #include "overlay/link.h"
 #include "overlay/nesting.h"

@@ -7,7 +7,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"
-#include "noding/point_hash.h"
+#include "plane/point_hash.h"
 
 namespace oblast::noding {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/call_memory.h"
-#include "noding/largest_ulp.h"
+#include "plane/largest_ulp.h"
 
 namespace oblast::noding {
 namespace {

@@ -20,10 +20,10 @@
 #include "base/large_pages.h"
 #include "noding/arrange_cuts.h"
 #include "noding/clearance.h"
-#include "noding/edges_in.h"
-#include "noding/largest_ulp.h"
+#include "plane/edges_in.h"
+#include "plane/largest_ulp.h"
 #include "noding/pair_finder.h"
-#include "noding/point_hash.h"
+#include "plane/point_hash.h"
 
 namespace oblast::noding {
 namespace {

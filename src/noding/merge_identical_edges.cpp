@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
-#include "noding/point_hash.h"
+#include "plane/point_hash.h"
 
 namespace oblast::noding {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "noding/largest_ulp.h"
+#include "plane/largest_ulp.h"
 
 namespace oblast::noding {
 namespace {

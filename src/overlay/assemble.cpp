@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 namespace oblast {
 namespace {

@@ -17,7 +17,7 @@
 #include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
-#include "noding/curve_order.h"
+#include "plane/curve_order.h"
 #include "overlay/angular_order.h"
 
 namespace oblast {

@@ -7,7 +7,7 @@
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/large_pages.h"
-#include "noding/ring_tree.h"
+#include "plane/ring_tree.h"
 #include "overlay/resolve.h"
 #include "overlay/simple_ring.h"
 

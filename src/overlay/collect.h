@@ -2,7 +2,7 @@
 //
 // Degenerate contours are dropped, bad coordinates refused. Under a rule that reads polygons one by one each
 // polygon must enter with winding number 1 on its region and 0 elsewhere. Where its edges do not meet, which
-// noding/ring_tree.h tells for next to nothing, each ring is turned as its depth in the others asks (its winding change
+// plane/ring_tree.h tells for next to nothing, each ring is turned as its depth in the others asks (its winding change
 // is, the points stay where they are); otherwise the polygon is resolved by itself first, by the whole pipeline under
 // even_odd. The one ring of an operand of one polygon is only assumed to be simple where it is not convex, and so is a
 // ring that wanders about too much to tell (node_strands.h).

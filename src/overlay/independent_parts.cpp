@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "overlay/connected_boxes.h"
+#include "plane/connected_boxes.h"
 
 namespace oblast {
 namespace {

@@ -7,7 +7,7 @@
 #include "exact/orientation.h"
 #include "base/call_memory.h"
 #include "overlay/locate_below.h"
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 namespace oblast {
 namespace {

@@ -9,7 +9,7 @@
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 namespace oblast {
 namespace {

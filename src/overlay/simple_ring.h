@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "noding/ring_tree.h"
+#include "plane/ring_tree.h"
 
 namespace oblast {
 

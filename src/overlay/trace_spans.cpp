@@ -9,7 +9,7 @@
 #include "exact/orientation.h"
 #include "noding/along.h"
 #include "noding/pair_finder.h"
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 namespace oblast {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "noding/curve_order.h"
+#include "plane/curve_order.h"
 
 namespace oblast::triangulation {
 namespace {

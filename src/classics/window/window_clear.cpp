@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/tuning.h"
-#include "classics/far.h"
+#include "plane/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"

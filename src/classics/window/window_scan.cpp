@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "classics/far.h"
+#include "plane/far.h"
 #include "classics/window/window_clip.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"

@@ -18,9 +18,9 @@
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
 #include "base/large_pages.h"
-#include "overlay/enclosing_boxes.h"
+#include "plane/enclosing_boxes.h"
 #include "overlay/locate_below.h"
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 namespace oblast::leonov_nikitin {
 namespace {

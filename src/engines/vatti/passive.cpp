@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"
-#include "overlay/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace oblast::vatti {
 namespace {

@@ -1,4 +1,4 @@
-#include "noding/curve_order.h"
+#include "plane/curve_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // A tree of boxes that change, against a look at each of them.
-#include "noding/box_tree.h"
+#include "plane/box_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "overlay/enclosing_boxes.h"
+#include "plane/enclosing_boxes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "noding/ring_tree.h"
+#include "plane/ring_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"
-#include "noding/edges_in.h"
+#include "plane/edges_in.h"
 
 namespace oblast::noding {
 namespace {

@@ -1,5 +1,5 @@
 // Whether rings meet, and how deep they lie in each other, against every pair of edges.
-#include "noding/ring_tree.h"
+#include "plane/ring_tree.h"
 
 #include <gtest/gtest.h>
 

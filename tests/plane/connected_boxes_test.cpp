@@ -1,5 +1,5 @@
 // Connected boxes against brute force, and where they lie upon each other without meeting.
-#include "overlay/connected_boxes.h"
+#include "plane/connected_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <span>
 
 #include "generators/random.h"
-#include "overlay/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 #include "support/usual_tuning.h"
 
 namespace oblast {

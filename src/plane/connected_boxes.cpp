@@ -1,7 +1,7 @@
 // A binary tree over the boxes along the curve; from its lowest level up, each node connects what its two halves have
 // to do with each other. Whatever two nodes side by side look at lies under them alone, so they work side by side. And
 // what is connected already is passed over: where all boxes hang together, nearly everything.
-#include "overlay/connected_boxes.h"
+#include "plane/connected_boxes.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "noding/curve_order.h"
-#include "overlay/disjoint_sets.h"
+#include "plane/curve_order.h"
+#include "base/disjoint_sets.h"
 
 namespace oblast {
 namespace {

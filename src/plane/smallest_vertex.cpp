@@ -1,4 +1,4 @@
-#include "overlay/smallest_vertex.h"
+#include "plane/smallest_vertex.h"
 
 #include <algorithm>
 #include <array>

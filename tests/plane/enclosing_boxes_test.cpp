@@ -1,5 +1,5 @@
 // Which boxes hold points of others, against a look at every pair.
-#include "overlay/enclosing_boxes.h"
+#include "plane/enclosing_boxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "noding/box_tree.h"
+#include "plane/box_tree.h"
 
 #include <limits>
 
-#include "noding/curve_order.h"
+#include "plane/curve_order.h"
 
 namespace oblast::noding {
 namespace {
