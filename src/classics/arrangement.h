@@ -3,7 +3,7 @@
 
 #include "classics/operand.h"
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast::classics {
 

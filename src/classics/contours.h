@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast::classics {
 

@@ -22,7 +22,7 @@
 #include "classics/settle.h"
 #include "base/call_memory.h"
 #include "overlay/link.h"
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 #include "overlay/rings.h"
 
 namespace oblast {

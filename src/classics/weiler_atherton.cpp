@@ -16,7 +16,7 @@
 #include "classics/contours.h"
 #include "classics/settle.h"
 #include "base/call_memory.h"
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 
 namespace oblast {
 namespace {

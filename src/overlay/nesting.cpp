@@ -6,7 +6,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 #include "plane/smallest_vertex.h"
 
 namespace oblast {

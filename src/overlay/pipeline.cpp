@@ -11,7 +11,7 @@
 #include "engines/vatti/label.h"
 #include "base/call_memory.h"
 #include "overlay/assemble.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "overlay/collect.h"
 #include "overlay/independent_parts.h"
 #include "overlay/link.h"

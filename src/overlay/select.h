@@ -4,7 +4,7 @@
 #include <oblast/options.h>
 
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast {
 

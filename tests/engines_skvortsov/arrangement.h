@@ -4,7 +4,7 @@
 #include <oblast/options.h>
 
 #include "generators/hostile.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "overlay/collect.h"
 #include "overlay/node_strands.h"
 

@@ -3,7 +3,7 @@
 
 #include <oblast/region_set.h>
 
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "overlay/collect.h"
 #include "overlay/node_strands.h"
 

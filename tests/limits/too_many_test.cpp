@@ -11,7 +11,7 @@
 #include "noding/insert_cuts.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/assemble.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast {
 namespace {

@@ -1,5 +1,5 @@
 // The order of directions, and rough angles: where those are clear of each other they tell the same.
-#include "overlay/angular_order.h"
+#include "graph/angular_order.h"
 
 #include <gtest/gtest.h>
 

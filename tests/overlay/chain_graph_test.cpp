@@ -1,5 +1,5 @@
 // The chain graph of hostile arrangements: lists in order, winding numbers that fit around every node.
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 #include <gtest/gtest.h>
 

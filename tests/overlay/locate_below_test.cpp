@@ -1,5 +1,5 @@
 // What lies below a place against a vertical ray and exact rationals.
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engines/skvortsov/marked_mesh.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "overlay/collect.h"
 #include "overlay/node_strands.h"
 #include "support/check_mesh.h"

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "overlay/link.h"
 #include "overlay/rings.h"
 #include "overlay/select.h"

@@ -19,7 +19,7 @@
 #include "exact/orientation.h"
 #include "base/large_pages.h"
 #include "plane/enclosing_boxes.h"
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 #include "plane/smallest_vertex.h"
 
 namespace oblast::leonov_nikitin {

@@ -3,7 +3,7 @@
 //
 // The paper's steps and terms, and where they are:
 //   2.1  intersection vertices               noding/node.h: edges are cut where they meet
-//        descriptors, connectivity list L(x)  overlay/chain_graph.h, sorted by angle (exactly: overlay/angular_order.h)
+//        descriptors, connectivity list L(x)  graph/chain_graph.h, sorted by angle (exactly: graph/angular_order.h)
 //   2.2  labels of edges and contours        relative_labels.h: the copying rule 2.1, the marking sectors of rule 2.2;
 //                                            label.cpp: contours that meet nothing
 //   2.3  Tables 2 and 3                      tables.h; applied by overlay/select.h
@@ -14,7 +14,7 @@
 // OUTSIDE, SHARED1 or SHARED2 to the other. Here a label is the winding numbers of both operands left and right
 // of a chain, so that operands may overlap themselves and every fill rule is served; coincident edges are one
 // chain with the sum of their changes, so neither SHARED label needs a case. A contour that meets nothing (neither
-// ISECTED) asks which chain lies directly below it, all such questions in one sweep (overlay/locate_below.h), where
+// ISECTED) asks which chain lies directly below it, all such questions in one sweep (graph/locate_below.h), where
 // the paper has a point-in-region query each. Jump is worked out for all nodes at once. Polygons follow from
 // connected faces, not from the smallest outer contour around a hole.
 //
@@ -24,7 +24,7 @@
 #pragma once
 
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast::leonov_nikitin {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 #include "triangulation/mesh.h"
 
 namespace oblast::skvortsov {

@@ -30,7 +30,7 @@
 
 #include <vector>
 
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast::vatti {
 

@@ -16,7 +16,7 @@
 #include <span>
 
 #include "base/call_memory.h"
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 namespace oblast::vatti {
 

@@ -1,4 +1,4 @@
-#include "overlay/locate_below.h"
+#include "graph/locate_below.h"
 
 #include <algorithm>
 #include <cmath>

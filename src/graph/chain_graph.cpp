@@ -6,7 +6,7 @@
 // Stops at one place are one node. They are brought together by sorting along a curve, so nodes that are near in the
 // plane are near in memory, and so are the chains, which are numbered by the nodes they leave: this is what every later
 // walk over the graph is quick by.
-#include "overlay/chain_graph.h"
+#include "graph/chain_graph.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 #include "base/fetch.h"
 #include "base/large_pages.h"
 #include "plane/curve_order.h"
-#include "overlay/angular_order.h"
+#include "graph/angular_order.h"
 
 namespace oblast {
 namespace {
