@@ -8,10 +8,10 @@
 #include "base/call_memory.h"
 #include "base/memory_budget.h"
 #include "plane/point_hash.h"
-#include "overlay/assemble.h"
-#include "overlay/link.h"
-#include "overlay/nesting.h"
-#include "overlay/rings.h"
+#include "result/assemble.h"
+#include "result/link.h"
+#include "result/nesting.h"
+#include "result/rings.h"
 
 namespace oblast::classics {
 namespace {

@@ -21,9 +21,9 @@
 #include "classics/contours.h"
 #include "classics/settle.h"
 #include "base/call_memory.h"
-#include "overlay/link.h"
+#include "result/link.h"
 #include "graph/locate_below.h"
-#include "overlay/rings.h"
+#include "result/rings.h"
 
 namespace oblast {
 namespace {

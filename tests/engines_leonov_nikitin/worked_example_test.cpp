@@ -16,7 +16,7 @@
 #include "engines/leonov_nikitin/label.h"
 #include "engines/leonov_nikitin/tables.h"
 #include "engines_vatti/noded_graph.h"
-#include "overlay/select.h"
+#include "result/select.h"
 
 namespace oblast {
 namespace {

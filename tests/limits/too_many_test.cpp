@@ -10,7 +10,7 @@
 #include "noding/arrange_cuts.h"
 #include "noding/insert_cuts.h"
 #include "noding/merge_identical_edges.h"
-#include "overlay/assemble.h"
+#include "result/assemble.h"
 #include "graph/chain_graph.h"
 
 namespace oblast {

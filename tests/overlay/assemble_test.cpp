@@ -1,5 +1,5 @@
 // Canonical order, whichever way the rings come; parts joined are parts assembled together.
-#include "overlay/assemble.h"
+#include "result/assemble.h"
 
 #include <gtest/gtest.h>
 

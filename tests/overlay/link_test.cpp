@@ -1,5 +1,5 @@
 // Walks: they close, take every selected chain once, and part or do not part where the result touches itself.
-#include "overlay/link.h"
+#include "result/link.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which ring belongs to which polygon, against containment by brute force.
-#include "overlay/nesting.h"
+#include "result/nesting.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "generators/random.h"
-#include "overlay/rings.h"
+#include "result/rings.h"
 #include "verify/text_regions.h"
 
 namespace oblast {

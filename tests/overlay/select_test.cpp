@@ -1,5 +1,5 @@
 // The truth tables, and the selection as their edge.
-#include "overlay/select.h"
+#include "result/select.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "graph/chain_graph.h"
-#include "overlay/link.h"
-#include "overlay/rings.h"
-#include "overlay/select.h"
+#include "result/link.h"
+#include "result/rings.h"
+#include "result/select.h"
 
 namespace oblast::testing {
 

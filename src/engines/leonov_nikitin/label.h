@@ -6,9 +6,9 @@
 //        descriptors, connectivity list L(x)  graph/chain_graph.h, sorted by angle (exactly: graph/angular_order.h)
 //   2.2  labels of edges and contours        relative_labels.h: the copying rule 2.1, the marking sectors of rule 2.2;
 //                                            label.cpp: contours that meet nothing
-//   2.3  Tables 2 and 3                      tables.h; applied by overlay/select.h
-//        Collect and Jump                    overlay/link.cpp
-//   2.4  polygons from contours              overlay/nesting.h
+//   2.3  Tables 2 and 3                      tables.h; applied by result/select.h
+//        Collect and Jump                    result/link.cpp
+//   2.4  polygons from contours              result/nesting.h
 //
 // Where it departs from the paper. There each operand is a region set already, and an edge of one is INSIDE,
 // OUTSIDE, SHARED1 or SHARED2 to the other. Here a label is the winding numbers of both operands left and right

@@ -2,7 +2,7 @@
 // The minimal neighbourhoods of an edge (the paper's Table 1) say which regions its two sides are in.
 #include "engines/leonov_nikitin/tables.h"
 
-#include "overlay/select.h"
+#include "result/select.h"
 
 namespace oblast::leonov_nikitin {
 namespace {

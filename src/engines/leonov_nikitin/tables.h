@@ -6,7 +6,7 @@
 //      : | :         : | :        M : | :         : | : M     (drawn as the colons); M is as marked
 //
 // The pipeline does not look anything up here: labels are winding numbers left and right of a chain, and
-// stage 4 (overlay/select.h) asks the operation's truth table for both. That is the same rule where the
+// stage 4 (result/select.h) asks the operation's truth table for both. That is the same rule where the
 // tables apply, which tables.cpp proves for every entry, and it goes on where they do not: operands that overlap
 // themselves, and any fill rule.
 #pragma once

@@ -2,7 +2,7 @@
 
 #include "base/call.h"
 #include "base/call_memory.h"
-#include "overlay/select.h"
+#include "result/select.h"
 
 namespace oblast::skvortsov {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "engines/skvortsov/marked_mesh.h"
 #include "base/call_memory.h"
-#include "overlay/nesting.h"
-#include "overlay/rings.h"
+#include "result/nesting.h"
+#include "result/rings.h"
 
 namespace oblast::skvortsov {
 

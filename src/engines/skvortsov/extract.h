@@ -22,8 +22,8 @@
 #include <oblast/options.h>
 
 #include "overlay/control.h"
-#include "overlay/nesting.h"
-#include "overlay/rings.h"
+#include "result/nesting.h"
+#include "result/rings.h"
 
 namespace oblast::skvortsov {
 

@@ -1,4 +1,4 @@
-#include "overlay/nesting.h"
+#include "result/nesting.h"
 
 #include <algorithm>
 

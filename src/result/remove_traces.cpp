@@ -7,9 +7,9 @@
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
-#include "overlay/retry_traces.h"
-#include "overlay/rings.h"
-#include "overlay/trace_spans.h"
+#include "result/retry_traces.h"
+#include "result/rings.h"
+#include "result/trace_spans.h"
 
 namespace oblast {
 namespace {

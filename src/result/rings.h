@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/large_pages.h"
-#include "overlay/link.h"
+#include "result/link.h"
 
 namespace oblast {
 

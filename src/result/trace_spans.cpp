@@ -1,4 +1,4 @@
-#include "overlay/trace_spans.h"
+#include "result/trace_spans.h"
 
 #include <algorithm>
 #include <cmath>

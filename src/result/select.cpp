@@ -1,4 +1,4 @@
-#include "overlay/select.h"
+#include "result/select.h"
 
 #include "base/parallel.h"
 #include "base/tuning.h"

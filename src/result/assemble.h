@@ -4,7 +4,7 @@
 #include <oblast/region_set.h>
 
 #include "base/call_memory.h"
-#include "overlay/nesting.h"
+#include "result/nesting.h"
 
 namespace oblast {
 

@@ -1,6 +1,6 @@
 // Shortest first, edges grow evenly: of n vertices of one span, half go in edges of two pieces, a quarter in edges of
 // four. So few edges are long, and what lies near them is looked at O(log n) times.
-#include "overlay/retry_traces.h"
+#include "result/retry_traces.h"
 
 #include <algorithm>
 #include <queue>

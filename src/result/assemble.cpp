@@ -1,4 +1,4 @@
-#include "overlay/assemble.h"
+#include "result/assemble.h"
 
 #include <algorithm>
 #include <numeric>

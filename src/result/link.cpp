@@ -1,4 +1,4 @@
-#include "overlay/link.h"
+#include "result/link.h"
 
 #include <algorithm>
 

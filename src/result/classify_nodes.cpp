@@ -7,7 +7,7 @@
 #include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
-#include "overlay/rings.h"
+#include "result/rings.h"
 
 namespace oblast {
 namespace {

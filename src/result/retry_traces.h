@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/call_memory.h"
-#include "overlay/trace_spans.h"
+#include "result/trace_spans.h"
 
 namespace oblast {
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "base/call_memory.h"
-#include "overlay/rings.h"
+#include "result/rings.h"
 
 namespace oblast {
 

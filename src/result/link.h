@@ -16,7 +16,7 @@
 #include <span>
 
 #include "base/call_memory.h"
-#include "overlay/select.h"
+#include "result/select.h"
 
 namespace oblast {
 

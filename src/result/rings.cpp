@@ -1,4 +1,4 @@
-#include "overlay/rings.h"
+#include "result/rings.h"
 
 #include <algorithm>
 #include <numeric>
