@@ -5,7 +5,7 @@
 
 #include "generators/hostile.h"
 #include "graph/chain_graph.h"
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "overlay/node_strands.h"
 
 namespace oblast::testing {

@@ -4,7 +4,7 @@
 #include <oblast/region_set.h>
 
 #include "graph/chain_graph.h"
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "overlay/node_strands.h"
 
 namespace oblast {

@@ -10,7 +10,7 @@
 #include "generators/hostile.h"
 #include "generators/random.h"
 #include "noding/monotone_runs.h"
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "support/strands_of.h"
 #include "verify/predicates.h"
 

@@ -11,7 +11,7 @@
 #include "noding/meetings.h"
 #include "noding/merge_identical_edges.h"
 #include "noding/monotone_runs.h"
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "support/strands_of.h"
 #include "verify/edges.h"
 #include "verify/rational.h"

@@ -8,8 +8,8 @@
 
 #include "generators/hostile.h"
 #include "generators/random.h"
-#include "overlay/collect.h"
-#include "overlay/independent_parts.h"
+#include "collect/collect.h"
+#include "collect/independent_parts.h"
 
 namespace oblast {
 namespace {

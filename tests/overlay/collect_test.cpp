@@ -1,5 +1,5 @@
 // Stage 1: what enters, cleaned, resolved and directed.
-#include "overlay/collect.h"
+#include "collect/collect.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Independent parts against brute force: boxes of strands in different batches never meet, nothing that matters is
 // left out, batches have the vertices they should.
-#include "overlay/independent_parts.h"
+#include "collect/independent_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "verify/text_regions.h"
 
 namespace oblast {

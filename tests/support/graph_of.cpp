@@ -2,7 +2,7 @@
 #include "support/graph_of.h"
 
 #include "engines/leonov_nikitin/label.h"
-#include "overlay/collect.h"
+#include "collect/collect.h"
 #include "overlay/node_strands.h"
 #include "verify/text_regions.h"
 

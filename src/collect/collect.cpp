@@ -1,4 +1,4 @@
-#include "overlay/collect.h"
+#include "collect/collect.h"
 
 #include <algorithm>
 #include <atomic>

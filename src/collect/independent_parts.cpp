@@ -1,4 +1,4 @@
-#include "overlay/independent_parts.h"
+#include "collect/independent_parts.h"
 
 #include <algorithm>
 #include <numeric>
