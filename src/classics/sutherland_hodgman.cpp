@@ -10,7 +10,7 @@
 #include "classics/round_clip.h"
 #include "classics/settle.h"
 #include "base/call_memory.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast {
 

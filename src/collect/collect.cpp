@@ -9,7 +9,7 @@
 #include "base/large_pages.h"
 #include "plane/ring_tree.h"
 #include "overlay/resolve.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast {
 namespace {

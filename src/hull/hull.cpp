@@ -8,7 +8,7 @@
 #include "exact/orientation.h"
 #include "hull/lee.h"
 #include "base/call_memory.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 #include "overlay/validate.h"
 
 namespace oblast {

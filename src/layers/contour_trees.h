@@ -13,7 +13,7 @@
 #include "base/tuning.h"
 #include "base/call_memory.h"
 #include "noding/monotone_runs.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast::vatti {
 

@@ -16,7 +16,7 @@
 #include "collect/independent_parts.h"
 #include "result/link.h"
 #include "result/nesting.h"
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 #include "result/rings.h"
 #include "result/select.h"
 #include "overlay/stage_shares.h"

@@ -6,7 +6,7 @@
 #include "generators/hostile.h"
 #include "graph/chain_graph.h"
 #include "collect/collect.h"
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 
 namespace oblast::testing {
 

@@ -5,7 +5,7 @@
 
 #include "graph/chain_graph.h"
 #include "collect/collect.h"
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 
 namespace oblast {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hull/lee.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast::tests {
 

@@ -12,7 +12,7 @@
 #include "hull/lee.h"
 #include "hull/simple_polygons.h"
 #include "hull/sklansky.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace {
 

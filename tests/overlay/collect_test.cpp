@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 #include "verify/text_regions.h"
 
 namespace oblast {

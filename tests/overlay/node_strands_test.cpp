@@ -1,5 +1,5 @@
 // Stage 2 with contours that are only assumed to be simple: those that are not are found and resolved.
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>

@@ -11,7 +11,7 @@
 #include "engines/skvortsov/marked_mesh.h"
 #include "graph/chain_graph.h"
 #include "collect/collect.h"
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 #include "support/check_mesh.h"
 #include "support/same_bits.h"
 

@@ -3,7 +3,7 @@
 
 #include "engines/leonov_nikitin/label.h"
 #include "collect/collect.h"
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exact/orientation.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast::classics {
 

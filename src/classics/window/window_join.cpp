@@ -8,7 +8,7 @@
 #include "classics/window/window_clip.h"
 #include "base/call_memory.h"
 #include "base/memory_budget.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast::classics {
 

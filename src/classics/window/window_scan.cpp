@@ -6,7 +6,7 @@
 #include "classics/window/window_clip.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast::classics {
 

@@ -1,11 +1,11 @@
-#include "overlay/node_strands.h"
+#include "noding/node_strands.h"
 
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/call_memory.h"
 #include "noding/merge_identical_edges.h"
 #include "overlay/resolve.h"
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 namespace oblast {
 namespace {

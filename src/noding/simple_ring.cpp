@@ -1,4 +1,4 @@
-#include "overlay/simple_ring.h"
+#include "noding/simple_ring.h"
 
 #include <algorithm>
 #include <atomic>
