@@ -4,7 +4,7 @@
 
 #include "base/check_options.h"
 #include "base/public_call.h"
-#include "classics/window/fast_path.h"
+#include "window/fast_path.h"
 #include "plane/largest_ulp.h"
 #include "overlay/pipeline.h"
 #include "overlay/validate.h"

@@ -15,7 +15,7 @@
 #include <numbers>
 
 #include "classics/cases.h"
-#include "classics/window/fast_path.h"
+#include "window/fast_path.h"
 
 namespace {
 

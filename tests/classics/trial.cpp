@@ -3,7 +3,7 @@
 #include <oblast/oblast.h>
 
 #include "classics/cases.h"
-#include "classics/window/fast_path.h"
+#include "window/fast_path.h"
 #include "classics/wkt.h"
 
 namespace oblast::tests {

@@ -64,7 +64,7 @@ Answer ask(const Operands& operands, const Question& question, Engine engine) {
   Options options = question.options;
   options.engine = engine;
   Statistics statistics;
-  options.statistics = &statistics;  // else convex operands would go past the engines (classics/window/fast_path.h)
+  options.statistics = &statistics;  // else convex operands would go past the engines (window/fast_path.h)
   try {
     return {overlay(operands.a, operands.b, question.operation, options), {}};
   } catch (const Error& error) {

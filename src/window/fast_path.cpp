@@ -1,9 +1,9 @@
-#include "classics/window/fast_path.h"
+#include "window/fast_path.h"
 
 #include <array>
 #include <cstddef>
 
-#include "classics/window/window_clip.h"
+#include "window/window_clip.h"
 #include "base/block_resource.h"
 
 namespace oblast::classics {

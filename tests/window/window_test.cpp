@@ -8,7 +8,7 @@
 #include "classics/cases.h"
 #include "classics/shapes.h"
 #include "classics/trial.h"
-#include "classics/window/fast_path.h"
+#include "window/fast_path.h"
 #include "classics/wkt.h"
 #include "support/usual_tuning.h"
 

@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "base/tuning.h"
-#include "classics/window/window.h"
+#include "window/window.h"
 
 namespace oblast::classics {
 

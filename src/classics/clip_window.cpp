@@ -5,7 +5,7 @@
 
 #include "classics/operand.h"
 #include "classics/settle.h"
-#include "classics/window/window_clip.h"
+#include "window/window_clip.h"
 #include "base/block_resource.h"
 #include "overlay/validate.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "plane/far.h"
-#include "classics/window/window_clip.h"
+#include "window/window_clip.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "noding/simple_ring.h"

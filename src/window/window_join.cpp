@@ -5,7 +5,7 @@
 
 #include "base/index.h"
 #include "classics/contours.h"
-#include "classics/window/window_clip.h"
+#include "window/window_clip.h"
 #include "base/call_memory.h"
 #include "base/memory_budget.h"
 #include "noding/simple_ring.h"

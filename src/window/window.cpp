@@ -1,4 +1,4 @@
-#include "classics/window/window.h"
+#include "window/window.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "base/tuning.h"
 #include "plane/far.h"
-#include "classics/window/window_clip.h"
+#include "window/window_clip.h"
 #include "exact/orientation.h"
 #include "base/call_memory.h"
 
