@@ -7,7 +7,7 @@
 #include "classics/settle.h"
 #include "window/window_clip.h"
 #include "base/block_resource.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast {
 

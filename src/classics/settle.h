@@ -6,7 +6,7 @@
 #include <oblast/overlay.h>
 
 #include "base/public_call.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast::classics {
 

@@ -9,7 +9,7 @@
 #include "hull/lee.h"
 #include "base/call_memory.h"
 #include "noding/simple_ring.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast {
 namespace {

@@ -18,7 +18,7 @@
 #include "layers/interiors_overlap.h"
 #include "layers/raster_pyramid.h"
 #include "base/call_memory.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast {
 namespace {

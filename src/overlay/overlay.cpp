@@ -7,7 +7,7 @@
 #include "window/fast_path.h"
 #include "plane/largest_ulp.h"
 #include "overlay/pipeline.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast {
 namespace {

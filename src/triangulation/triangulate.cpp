@@ -8,7 +8,7 @@
 #include "base/public_call.h"
 #include "base/call_memory.h"
 #include "overlay/stage_shares.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 

@@ -1,5 +1,5 @@
 // Bad arrays and bad coordinates are refused with their place.
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 #include <gtest/gtest.h>
 #include <oblast/domain.h>

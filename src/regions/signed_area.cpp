@@ -1,7 +1,7 @@
 #include <oblast/region_set.h>
 
 #include "base/public_call.h"
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 namespace oblast {
 namespace {

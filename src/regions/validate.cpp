@@ -1,4 +1,4 @@
-#include "overlay/validate.h"
+#include "regions/validate.h"
 
 #include <oblast/domain.h>
 
