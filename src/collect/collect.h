@@ -12,7 +12,7 @@
 #include <oblast/region_set.h>
 
 #include "noding/strands.h"
-#include "overlay/control.h"
+#include "base/stage_clock.h"
 
 namespace oblast {
 

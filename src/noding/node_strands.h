@@ -6,7 +6,7 @@
 #pragma once
 
 #include "noding/node.h"
-#include "overlay/control.h"
+#include "base/stage_clock.h"
 
 namespace oblast {
 

@@ -19,7 +19,7 @@
 #include "noding/node_strands.h"
 #include "result/rings.h"
 #include "result/select.h"
-#include "overlay/stage_shares.h"
+#include "base/stage_shares.h"
 
 namespace oblast {
 namespace {

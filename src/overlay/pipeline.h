@@ -5,7 +5,7 @@
 #include <oblast/region_set.h>
 
 #include "base/memory_budget.h"
-#include "overlay/control.h"
+#include "base/stage_clock.h"
 
 namespace oblast {
 

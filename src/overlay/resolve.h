@@ -5,7 +5,7 @@
 
 #include "base/call_memory.h"
 #include "noding/strands.h"
-#include "overlay/control.h"
+#include "base/stage_clock.h"
 
 namespace oblast {
 

@@ -7,7 +7,7 @@
 
 #include "base/public_call.h"
 #include "base/call_memory.h"
-#include "overlay/stage_shares.h"
+#include "base/stage_shares.h"
 #include "regions/validate.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"

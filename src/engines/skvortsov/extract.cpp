@@ -5,7 +5,7 @@
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
 #include "base/call_memory.h"
-#include "overlay/stage_shares.h"
+#include "base/stage_shares.h"
 
 namespace oblast::skvortsov {
 namespace {

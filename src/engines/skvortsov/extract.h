@@ -21,7 +21,7 @@
 
 #include <oblast/options.h>
 
-#include "overlay/control.h"
+#include "base/stage_clock.h"
 #include "result/nesting.h"
 #include "result/rings.h"
 
