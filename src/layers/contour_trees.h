@@ -12,7 +12,7 @@
 
 #include "base/tuning.h"
 #include "base/call_memory.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 #include "noding/simple_ring.h"
 
 namespace oblast::vatti {

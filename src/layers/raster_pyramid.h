@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "base/call_memory.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast::vatti {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "base/large_pages.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast {
 

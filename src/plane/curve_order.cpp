@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "base/large_pages.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast::noding {
 namespace {

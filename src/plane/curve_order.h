@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/large_pages.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast::noding {
 

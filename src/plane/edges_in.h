@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 #ifdef __SSE2__
 #include <emmintrin.h>

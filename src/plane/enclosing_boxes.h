@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/call_memory.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/tuning.h"
-#include "noding/monotone_runs.h"
+#include "plane/box.h"
 
 namespace oblast::classics {
 
