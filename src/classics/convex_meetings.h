@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/operand.h"
 #include "base/call_memory.h"
 

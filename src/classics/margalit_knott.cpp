@@ -18,7 +18,7 @@
 #include <algorithm>
 
 #include "classics/arrangement.h"
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/settle.h"
 #include "base/call_memory.h"
 #include "result/link.h"

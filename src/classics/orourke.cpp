@@ -14,7 +14,7 @@
 #include <array>
 
 #include "classics/clearance.h"
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/convex_meetings.h"
 #include "classics/operand.h"
 #include "classics/settle.h"

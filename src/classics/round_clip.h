@@ -1,7 +1,7 @@
 // The exact result of clipping to points: crossings rounded, and told whether that is safe.
 #pragma once
 
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/half_plane_clip.h"
 #include "base/call_memory.h"
 

@@ -5,7 +5,7 @@
 #include <oblast/classics.h>
 
 #include "classics/arrangement.h"
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/half_plane_clip.h"
 #include "classics/round_clip.h"
 #include "classics/settle.h"

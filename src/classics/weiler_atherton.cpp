@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "classics/arrangement.h"
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "classics/settle.h"
 #include "base/call_memory.h"
 #include "graph/locate_below.h"

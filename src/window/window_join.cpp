@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/index.h"
-#include "classics/contours.h"
+#include "window/contours.h"
 #include "window/window_clip.h"
 #include "base/call_memory.h"
 #include "base/memory_budget.h"

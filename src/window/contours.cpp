@@ -1,4 +1,4 @@
-#include "classics/contours.h"
+#include "window/contours.h"
 
 #include <algorithm>
 #include <bit>
