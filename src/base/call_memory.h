@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/call.h"
-#include "base/tuning.h"
 #include "base/kept_blocks.h"
+#include "base/tuning.h"
 
 namespace oblast {
 

@@ -5,8 +5,8 @@
 #include <new>
 
 #include "base/call.h"
-#include "base/tuning.h"
 #include "base/memory_budget.h"
+#include "base/tuning.h"
 
 namespace oblast {
 namespace {

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/parallel.h"
-#include "base/tuning.h"
 #include "base/call_memory.h"
 #include "base/pages.h"
+#include "base/parallel.h"
+#include "base/tuning.h"
 
 namespace oblast {
 

@@ -8,13 +8,13 @@
 #include <optional>
 #include <type_traits>
 
+#include "base/call_memory.h"
 #include "base/check_options.h"
 #include "base/control.h"
 #include "base/index.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/call_memory.h"
-#include "base/memory_budget.h"
 
 namespace oblast {
 

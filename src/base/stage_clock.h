@@ -5,6 +5,7 @@
 
 #include <chrono>
 
+#include "base/call.h"
 #include "base/control.h"
 
 namespace oblast {
@@ -26,6 +27,18 @@ class StageClock {
  private:
   double* seconds_ = nullptr;
   std::chrono::steady_clock::time_point begin_;
+};
+
+/// A stage of a call, while it lives: asks whether to go on, then counts for progress (a share of what this thread
+/// does) and takes the time.
+class InStage {
+ public:
+  InStage(Stage stage, double share, const Control& control, Statistics& statistics)
+      : share_((poll(), stage), share), clock_(control, statistics, stage) {}
+
+ private:
+  Share share_;
+  StageClock clock_;
 };
 
 }  // namespace oblast

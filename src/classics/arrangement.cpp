@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/call_memory.h"
 #include "classics/clearance.h"
 #include "engines/leonov_nikitin/label.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 

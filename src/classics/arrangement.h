@@ -1,8 +1,8 @@
 // Two operands cut at their meetings: what Weiler-Atherton and Margalit-Knott work on.
 #pragma once
 
-#include "classics/operand.h"
 #include "base/call_memory.h"
+#include "classics/operand.h"
 #include "graph/chain_graph.h"
 
 namespace oblast::classics {

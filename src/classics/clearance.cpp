@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/tuning.h"
-#include "plane/far.h"
 #include "base/call_memory.h"
+#include "base/tuning.h"
 #include "plane/box_tree.h"
+#include "plane/far.h"
 
 namespace oblast::classics {
 namespace {
 
-using noding::Box;
 using noding::Strands;
 
 class ClearanceTest {
@@ -39,7 +38,7 @@ class ClearanceTest {
     const LargeArray<noding::Run> runs = noding::monotone_runs(strands_, noding::Grouping::by_moved);
     LargeArray<Box> boxes;
     for (const noding::Run& run : runs) boxes.push_back(run.box);
-    const noding::BoxTree tree(boxes);
+    const BoxTree tree(boxes);
     return each_moved([&](std::uint32_t e, std::uint32_t s, const Box& box) {
       return tree.for_each_near(box, [&](std::uint32_t r) {
         const noding::Run& run = runs[r];

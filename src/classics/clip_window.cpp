@@ -3,24 +3,24 @@
 #include <array>
 #include <cstddef>
 
+#include "base/block_resource.h"
 #include "classics/operand.h"
 #include "classics/settle.h"
-#include "window/window_clip.h"
-#include "base/block_resource.h"
 #include "regions/validate.h"
+#include "window/window_clip.h"
 
 namespace oblast {
 
 struct ClipWindow::Prepared {
-  RegionSet regions;                       ///< as given, for the settled noding
-  std::optional<classics::Window> window;  ///< nothing where it has too many sides
+  RegionSet regions;                     ///< as given, for the settled noding
+  std::optional<window::Window> window;  ///< nothing where it has too many sides
 };
 
 namespace {
 
-std::optional<classics::Window> prepare(const RegionView& window) {
+std::optional<window::Window> prepare(const RegionView& window) {
   const classics::Operand operand{window, 1, "clip window", "overlay"};
-  return classics::Window::of(operand.one_convex_contour().points);
+  return window::Window::of(operand.one_convex_contour().points);
 }
 
 RegionSet checked_copy(const RegionView& v) {
@@ -56,10 +56,10 @@ RegionSet ClipWindow::clip(const RegionView& subject, ClassicReport* report, con
   return public_call(options, subject.points.size() + prepared_->regions.points.size(), [&](Control&) {
     validate(subject, 0);
     if (prepared_->window) {
-      std::array<std::byte, classics::scratch_bytes> scratch;
+      std::array<std::byte, window::scratch_bytes> scratch;
       BlockResource blocks;
       std::pmr::monotonic_buffer_resource memory(scratch.data(), scratch.size(), &blocks);
-      classics::WindowClip clip(subject, classics::kind_of(subject), *prepared_->window, &memory);
+      window::WindowClip clip(subject, window::kind_of(subject), *prepared_->window, &memory);
       std::optional<RegionSet> result = clip.run(Operation::intersection);
       done.meetings = clip.crossing_count();
       if (result) return *std::move(result);

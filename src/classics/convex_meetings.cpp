@@ -10,12 +10,12 @@
 
 #include <algorithm>
 
+#include "base/call_memory.h"
 #include "classics/clearance.h"
 #include "classics/convex_separation.h"
 #include "classics/crossing.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

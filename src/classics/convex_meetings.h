@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "window/contours.h"
-#include "classics/operand.h"
 #include "base/call_memory.h"
+#include "classics/operand.h"
+#include "window/contours.h"
 
 namespace oblast::classics {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 
 namespace oblast::classics {
 namespace {

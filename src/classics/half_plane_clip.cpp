@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/call_memory.h"
 #include "base/index.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

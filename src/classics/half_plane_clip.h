@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <span>
 
+#include "base/call_memory.h"
 #include "classics/crossing.h"
 #include "classics/operand.h"
-#include "base/call_memory.h"
 
 namespace oblast::classics {
 

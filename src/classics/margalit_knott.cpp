@@ -17,13 +17,13 @@
 // one table serves all three.
 #include <algorithm>
 
-#include "classics/arrangement.h"
-#include "window/contours.h"
-#include "classics/settle.h"
 #include "base/call_memory.h"
-#include "result/link.h"
+#include "classics/arrangement.h"
+#include "classics/settle.h"
 #include "graph/locate_below.h"
+#include "result/link.h"
 #include "result/rings.h"
+#include "window/contours.h"
 
 namespace oblast {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 
 namespace oblast::classics {
 namespace {

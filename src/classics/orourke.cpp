@@ -13,13 +13,13 @@
 #include <algorithm>
 #include <array>
 
+#include "base/call_memory.h"
 #include "classics/clearance.h"
-#include "window/contours.h"
 #include "classics/convex_meetings.h"
 #include "classics/operand.h"
 #include "classics/settle.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
+#include "window/contours.h"
 
 namespace oblast {
 namespace {

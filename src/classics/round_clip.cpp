@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/call_memory.h"
 #include "classics/clearance.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast::classics {
 namespace {

@@ -1,9 +1,9 @@
 // The exact result of clipping to points: crossings rounded, and told whether that is safe.
 #pragma once
 
-#include "window/contours.h"
-#include "classics/half_plane_clip.h"
 #include "base/call_memory.h"
+#include "classics/half_plane_clip.h"
+#include "window/contours.h"
 
 namespace oblast::classics {
 

@@ -4,13 +4,13 @@
 // (half_plane_clip.h, exactly), and round the crossings at the end.
 #include <oblast/classics.h>
 
+#include "base/call_memory.h"
 #include "classics/arrangement.h"
-#include "window/contours.h"
 #include "classics/half_plane_clip.h"
 #include "classics/round_clip.h"
 #include "classics/settle.h"
-#include "base/call_memory.h"
 #include "noding/simple_ring.h"
+#include "window/contours.h"
 
 namespace oblast {
 

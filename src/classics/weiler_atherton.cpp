@@ -12,11 +12,11 @@
 // clockwise from where it came, so it never crosses itself.
 #include <algorithm>
 
-#include "classics/arrangement.h"
-#include "window/contours.h"
-#include "classics/settle.h"
 #include "base/call_memory.h"
+#include "classics/arrangement.h"
+#include "classics/settle.h"
 #include "graph/locate_below.h"
+#include "window/contours.h"
 
 namespace oblast {
 namespace {

@@ -5,11 +5,10 @@
 #include <optional>
 
 #include "base/index.h"
-#include "base/parallel.h"
 #include "base/large_pages.h"
-#include "plane/ring_tree.h"
-#include "overlay/resolve.h"
+#include "base/parallel.h"
 #include "noding/simple_ring.h"
+#include "plane/ring_tree.h"
 
 namespace oblast {
 namespace {
@@ -50,8 +49,8 @@ void reserve(Strands& strands, std::size_t vertices, std::size_t count) {
 /// Reads polygons of an operand.
 class PolygonReader {
  public:
-  PolygonReader(const RegionView& operand, bool is_b, Group first_group, Control& control)
-      : operand_(operand), is_b_(is_b), first_group_(first_group), control_(control) {}
+  PolygonReader(const RegionView& operand, bool is_b, Group first_group, const Resolve& resolve)
+      : operand_(operand), is_b_(is_b), first_group_(first_group), resolve_(resolve) {}
 
   /// For polygons [begin, end), which are not none.
   void make_room(std::size_t begin, std::size_t end, Strands& strands) const {
@@ -71,7 +70,7 @@ class PolygonReader {
  private:
   struct Scratch {
     Array<std::uint32_t> ends;  ///< of the polygon's rings, counted from its first point
-    noding::RingTree tree;
+    RingTree tree;
   };
 
   /// False when the polygon's rings cannot be taken as they are.
@@ -135,13 +134,13 @@ class PolygonReader {
     Array<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
     for (std::uint32_t& e : ends) e -= first_point;
     const RegionView rings{operand_.points.subspan(first_point, ends.back()), ends, {}};
-    return resolve(rings, winding(1), group(polygon), control_, strands);
+    return append_resolved(resolve_(rings), winding(1), group(polygon), strands);
   }
 
   const RegionView& operand_;
   bool is_b_;
   Group first_group_;
-  Control& control_;
+  const Resolve& resolve_;
 };
 
 /// Copies all strands of `from` to where there is room for them, from `first_point` and `first_strand`.
@@ -175,9 +174,9 @@ void append(Strands& to, Array<Strands>& parts) {
   });
 }
 
-void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, Control& control, Strands& strands,
-                        Statistics& statistics) {
-  const PolygonReader reader(operand, is_b, first_group, control);
+void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, const Resolve& resolve,
+                        Strands& strands, std::uint64_t& resolved_polygons) {
+  const PolygonReader reader(operand, is_b, first_group, resolve);
   // To look whether a ring meets itself takes some ten times as long as to pass its vertices.
   const std::size_t count = operand.polygon_count(), polygons_a_part = grain(count, 8 * operand.points.size());
   const std::size_t parts = range_count(count, polygons_a_part);
@@ -187,7 +186,7 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
   };
   if (parts == 1 || core_count() == 1) {
     for_ranges(parts, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t part = begin; part < end; ++part) statistics.resolved_polygons += read_part(part, strands);
+      for (std::size_t part = begin; part < end; ++part) resolved_polygons += read_part(part, strands);
     });
     return;
   }
@@ -200,7 +199,7 @@ void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group,
     }
   });
   append(strands, read);
-  statistics.resolved_polygons += resolved;
+  resolved_polygons += resolved;
 }
 
 void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands) {
@@ -216,16 +215,15 @@ void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands)
 
 }  // namespace
 
-Strands collect(const RegionView& a, const RegionView* b, const Options& options, Control& control,
-                Statistics& statistics) {
-  const StageClock clock(control, statistics, Stage::collect);
+Strands collect(const RegionView& a, const RegionView* b, const Options& options, const Resolve& resolve,
+                std::uint64_t& resolved_polygons) {
   Strands strands;
   strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
   const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);
   reserve(strands, a.points.size() + (b ? b->points.size() : 0), contours);
   const auto add = [&](const RegionView& operand, bool is_b, const FillRule& rule, Group first_group) {
     if (rule.by_polygon())
-      collect_by_polygon(operand, is_b, first_group, control, strands, statistics);
+      collect_by_polygon(operand, is_b, first_group, resolve, strands, resolved_polygons);
     else
       collect_as_directed(operand, is_b, strands);
   };

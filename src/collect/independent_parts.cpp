@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "plane/connected_boxes.h"
 
 namespace oblast {
 namespace {
 
-using noding::Box;
 using noding::Strands;
 
 constexpr std::uint32_t none = 0xffffffff;

@@ -12,13 +12,13 @@
 #include <array>
 #include <cmath>
 
+#include "base/fetch.h"
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/fetch.h"
-#include "base/large_pages.h"
-#include "plane/curve_order.h"
 #include "graph/angular_order.h"
+#include "plane/curve_order.h"
 
 namespace oblast {
 namespace {
@@ -34,7 +34,7 @@ struct Stop {
 
 struct Stops {
   LargeArray<Stop> along;           ///< along the strands
-  LargeArray<noding::Keyed> order;  ///< stops, node by node; the key is 1 where a node begins, else 0
+  LargeArray<Keyed> order;          ///< stops, node by node; the key is 1 where a node begins, else 0
   LargeArray<std::uint32_t> ends;   ///< by node: past its last stop in `order`
   LargeArray<std::uint32_t> loops;  ///< strands that do not stop: contours without nodes
 
@@ -141,9 +141,9 @@ Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   for_ranges(places.size(), tuning::stops_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) places[k] = strands.points[stops.along[k].vertex];
   });
-  stops.order = noding::curve_order(places);
+  stops.order = curve_order(places);
   auto& order = stops.order;
-  const auto in_order = [&](const noding::Keyed& p, const noding::Keyed& q) {
+  const auto in_order = [&](const Keyed& p, const Keyed& q) {
     const Point &p_place = places[p.index], &q_place = places[q.index];
     return p_place != q_place ? lexicographically_less(p_place, q_place) : p.index < q.index;
   };

@@ -6,10 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/call_memory.h"
 #include "base/public_call.h"
 #include "exact/orientation.h"
 #include "hull/lee.h"
-#include "base/call_memory.h"
 #include "noding/simple_ring.h"
 #include "regions/validate.h"
 

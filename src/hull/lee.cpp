@@ -20,9 +20,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

@@ -10,14 +10,12 @@
 #include <cstdint>
 #include <span>
 
-#include "base/tuning.h"
 #include "base/call_memory.h"
-#include "plane/box.h"
+#include "base/tuning.h"
 #include "noding/simple_ring.h"
+#include "plane/box.h"
 
-namespace oblast::vatti {
-
-using noding::Box;
+namespace oblast::layers {
 
 /// One contour; a view. Edge e runs from vertex e to the next one.
 struct ContourTree {
@@ -65,4 +63,4 @@ class ContourTrees {
   Array<Entry> contours_;
 };
 
-}  // namespace oblast::vatti
+}  // namespace oblast::layers

@@ -15,10 +15,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "layers/contour_trees.h"
 #include "base/call_memory.h"
+#include "layers/contour_trees.h"
 
-namespace oblast::vatti {
+namespace oblast::layers {
 
 class InteriorTest {
  public:
@@ -35,4 +35,4 @@ class InteriorTest {
   Array<std::uint32_t> nodes_;                            ///< nodes to look into
 };
 
-}  // namespace oblast::vatti
+}  // namespace oblast::layers

@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/call_memory.h"
 #include "base/public_call.h"
 #include "base/tuning.h"
 #include "layers/contour_trees.h"
 #include "layers/interiors_overlap.h"
 #include "layers/raster_pyramid.h"
-#include "base/call_memory.h"
 #include "regions/validate.h"
 
 namespace oblast {
@@ -46,12 +46,12 @@ class FirstFit {
   }
 
  private:
-  static noding::Box whole_box(const ContourTrees& contours) {
+  static Box whole_box(const ContourTrees& contours) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    noding::Box whole{infinity, infinity, -infinity, -infinity};
+    Box whole{infinity, infinity, -infinity, -infinity};
     for (std::size_t c = 0; c < contours.size(); ++c) {
       if (!contours.has_interior(c)) continue;
-      const noding::Box box = contours[c].box();
+      const Box box = contours[c].box();
       whole = {std::min(whole.x0, box.x0), std::min(whole.y0, box.y0), std::max(whole.x1, box.x1),
                std::max(whole.y1, box.y1)};
     }

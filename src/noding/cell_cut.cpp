@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/call_memory.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 #include "plane/point_hash.h"
 
 namespace oblast::noding {

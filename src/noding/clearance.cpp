@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/call_memory.h"
 #include "plane/largest_ulp.h"
 
 namespace oblast::noding {

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <span>
 
-#include "base/tuning.h"
 #include "base/call_memory.h"
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 
 #ifdef __SSE2__

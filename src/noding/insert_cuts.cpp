@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 
 namespace oblast::noding {
 namespace {

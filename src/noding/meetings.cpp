@@ -12,17 +12,17 @@
 #include <utility>
 
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/expansion.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
-#include "base/large_pages.h"
 #include "noding/arrange_cuts.h"
 #include "noding/clearance.h"
+#include "noding/pair_finder.h"
 #include "plane/edges_in.h"
 #include "plane/largest_ulp.h"
-#include "noding/pair_finder.h"
 #include "plane/point_hash.h"
 
 namespace oblast::noding {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
-#include "base/tuning.h"
 #include "base/large_pages.h"
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
 

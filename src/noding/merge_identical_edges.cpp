@@ -4,11 +4,11 @@
 #include <bit>
 #include <utility>
 
+#include "base/fetch.h"
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/fetch.h"
-#include "base/large_pages.h"
 #include "plane/point_hash.h"
 
 namespace oblast::noding {

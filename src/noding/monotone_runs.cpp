@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "plane/largest_ulp.h"
 
 namespace oblast::noding {

@@ -8,8 +8,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "base/tuning.h"
 #include "base/large_pages.h"
+#include "base/tuning.h"
 #include "noding/strands.h"
 #include "plane/box.h"
 

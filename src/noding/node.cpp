@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/call_memory.h"
 #include "base/tuning.h"
 #include "exact/expansion.h"
-#include "base/call_memory.h"
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"

@@ -1,10 +1,10 @@
 #include "noding/node_strands.h"
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/call_memory.h"
 #include "noding/merge_identical_edges.h"
-#include "overlay/resolve.h"
+#include "noding/resolve.h"
 #include "noding/simple_ring.h"
 
 namespace oblast {
@@ -17,7 +17,7 @@ using noding::Strands;
 Array<std::uint32_t> find_tangled(Strands& strands) {
   Array<std::uint8_t> found(strands.size(), 0);
   for_ranges(strands.size(), tuning::strands_a_task, [&](std::size_t first, std::size_t past) {
-    noding::RingTree tree;
+    RingTree tree;
     for (std::size_t s = first; s < past; ++s) {
       if (strands.simplicity[s] == Simplicity::known) continue;
       const std::uint32_t begin = strands.begin(s);
@@ -33,11 +33,11 @@ Array<std::uint32_t> find_tangled(Strands& strands) {
 
 }  // namespace
 
-Strands node_strands(Strands strands, noding::NodingReport& report, Control& control, Statistics& statistics) {
+Strands node_strands(Strands strands, noding::NodingReport& report, const Resolve& resolve, std::uint64_t& resolved) {
   const auto checkpoint = [] { poll(); };
   const auto resolve_all = [&](const Array<std::uint32_t>& tangled) {
-    statistics.resolved_polygons += tangled.size();
-    strands = resolve_tangled(strands, tangled, control);
+    resolved += tangled.size();
+    strands = resolve_tangled(strands, tangled, resolve);
   };
   // Which way identical edges are found makes no difference to what is noded: whatever is not looked for is found by
   // the first round, which then asks for all of them to be merged.

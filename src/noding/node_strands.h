@@ -5,13 +5,15 @@
 // themselves are resolved and the round is run again.
 #pragma once
 
+#include <cstdint>
+
 #include "noding/node.h"
-#include "base/stage_clock.h"
+#include "noding/resolve.h"
 
 namespace oblast {
 
-/// Settled strands of regions with identical edges merged. Adds to statistics.resolved_polygons.
-noding::Strands node_strands(noding::Strands strands, noding::NodingReport& report, Control& control,
-                             Statistics& statistics);
+/// Settled strands of regions with identical edges merged. `resolved` grows by the contours that were resolved.
+noding::Strands node_strands(noding::Strands strands, noding::NodingReport& report, const Resolve& resolve,
+                             std::uint64_t& resolved);
 
 }  // namespace oblast

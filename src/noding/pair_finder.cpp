@@ -5,9 +5,9 @@
 #include <limits>
 #include <memory>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "noding/cell_cut.h"
 #include "noding/coarse_boxes.h"
 

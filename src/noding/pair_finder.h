@@ -16,8 +16,8 @@
 #include <functional>
 #include <span>
 
-#include "base/tuning.h"
 #include "base/call_memory.h"
+#include "base/tuning.h"
 #include "noding/monotone_runs.h"
 
 namespace oblast::noding {

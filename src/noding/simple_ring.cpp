@@ -4,8 +4,8 @@
 #include <atomic>
 #include <numeric>
 
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
@@ -54,7 +54,7 @@ int turn_at_smallest(std::span<const Point> ring) {
   return orientation(ring[(smallest + n - 1) % n], ring[smallest], ring[(smallest + 1) % n]);
 }
 
-bool is_tangled(std::span<const Point> closed_ring, noding::RingTree& tree) {
+bool is_tangled(std::span<const Point> closed_ring, RingTree& tree) {
   const auto end = static_cast<std::uint32_t>(closed_ring.size());
   tree.build(closed_ring, std::span(&end, 1));
   const std::optional<bool> answer = tree.edges_meet();
@@ -68,7 +68,7 @@ RingShape ring_shape(std::span<const Point> ring) {
     closed.reserve(ring.size() + 1);
     closed.assign(ring.begin(), ring.end());
     closed.push_back(ring[0]);
-    noding::RingTree tree;
+    RingTree tree;
     if (is_tangled(closed, tree)) return RingShape::tangled;
     turn = turn_at_smallest(ring);
   }

@@ -23,7 +23,7 @@ RingShape ring_shape(std::span<const Point> ring);
 
 /// Whether edges of a closed ring, whose first vertex is repeated as its last, meet other than by following one
 /// another. `tree` is room to work in. Cost: O(n) for most rings, O(n log n) for all.
-bool is_tangled(std::span<const Point> closed_ring, noding::RingTree& tree);
+bool is_tangled(std::span<const Point> closed_ring, RingTree& tree);
 
 /// The common sign of all turns when the ring is convex (straight vertices allowed); 0 when it is not. `ring` as for
 /// ring_shape. Cost: linear, and for most rings that are not convex a few vertices.

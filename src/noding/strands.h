@@ -14,8 +14,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "base/index.h"
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "base/large_pages.h"
 
 namespace oblast::noding {

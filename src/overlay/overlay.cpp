@@ -4,10 +4,10 @@
 
 #include "base/check_options.h"
 #include "base/public_call.h"
-#include "window/fast_path.h"
-#include "plane/largest_ulp.h"
 #include "overlay/pipeline.h"
+#include "plane/largest_ulp.h"
 #include "regions/validate.h"
+#include "window/fast_path.h"
 
 namespace oblast {
 namespace {
@@ -21,7 +21,7 @@ void report(const RegionView& a, const RegionView* b, const RegionSet& result, S
   if (statistics.largest_displacement > 0)
     statistics.largest_displacement_ulps =
         statistics.largest_displacement /
-        noding::ulp_of(std::max(noding::largest_coordinate(a.points), b ? noding::largest_coordinate(b->points) : 0));
+        ulp_of(std::max(largest_coordinate(a.points), b ? largest_coordinate(b->points) : 0));
 }
 
 RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
@@ -29,10 +29,10 @@ RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operat
   validate(a, 0);
   if (b) validate(*b, 1);
   if (b)
-    if (std::optional<RegionSet> result = classics::fast_overlay(a, *b, operation, options)) return *std::move(result);
+    if (std::optional<RegionSet> result = window::fast_overlay(a, *b, operation, options)) return *std::move(result);
 
   Statistics statistics;
-  PipelineResult result = run_pipeline(a, b, operation, options, control, statistics);
+  PipelineResult result = run_pipeline(a, b, {operation, options, control}, statistics);
   if (options.statistics) {
     report(a, b, result.regions, statistics);
     *options.statistics = statistics;

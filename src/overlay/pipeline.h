@@ -1,4 +1,4 @@
-// The pipeline: one function, one call a stage.
+// The pipeline: one function, one call a stage (ARCHITECTURE.md).
 #pragma once
 
 #include <oblast/options.h>
@@ -6,8 +6,16 @@
 
 #include "base/memory_budget.h"
 #include "base/stage_clock.h"
+#include "noding/resolve.h"
 
 namespace oblast {
+
+/// What one run of the pipeline is asked for.
+struct Job {
+  Operation operation;
+  const Options& options;
+  Control& control;
+};
 
 struct PipelineResult {
   Charge charge;  ///< for the regions
@@ -15,8 +23,10 @@ struct PipelineResult {
   bool touches = false;  ///< some vertex is on the boundary more than once
 };
 
-/// Stages 1 to 6 (ARCHITECTURE.md). `b` may be null: then the operation sees an empty B.
-PipelineResult run_pipeline(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
-                            Control& control, Statistics& statistics);
+/// Stages 1 to 6. `b` may be null: then the operation sees an empty B. Adds to the statistics.
+PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics);
+
+/// A polygon by itself: the whole pipeline under even_odd. For as long as `control` lives.
+Resolve resolve_by_pipeline(Control& control);
 
 }  // namespace oblast

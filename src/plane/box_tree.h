@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include "base/tuning.h"
 #include "base/large_pages.h"
+#include "base/tuning.h"
 #include "plane/box.h"
 
-namespace oblast::noding {
+namespace oblast {
 
 /// Boxes along a space-filling curve by their middles, a few to a node, level upon level.
 class BoxTree {
@@ -49,4 +49,4 @@ class BoxTree {
   Array<std::size_t> begins_;        ///< by level, and past the last one
 };
 
-}  // namespace oblast::noding
+}  // namespace oblast

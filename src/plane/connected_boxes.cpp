@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <array>
 
+#include "base/disjoint_sets.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "plane/curve_order.h"
-#include "base/disjoint_sets.h"
 
 namespace oblast {
 namespace {
-
-using noding::Box;
 
 constexpr std::size_t boxes_a_task = tuning::boxes_a_task;
 /// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
@@ -139,7 +137,7 @@ class Connector {
 ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   ConnectedBoxes connected;
   if (boxes.empty()) return connected;
-  connected.order = noding::curve_order(boxes);
+  connected.order = curve_order(boxes);
   Connector connector(boxes, connected.order);
   boxes = LargeArray<Box>();  // it has them along the curve; = {} would keep the memory
   connected.component = connector.run();

@@ -15,6 +15,6 @@ struct ConnectedBoxes {
 
 /// Where so many boxes lie upon each other that to tell them apart takes too long, all there count as connected; else
 /// only those are that must be. The same on any number of cores. Cost: O(n log n); memory O(n).
-ConnectedBoxes connected_boxes(LargeArray<noding::Box> boxes);
+ConnectedBoxes connected_boxes(LargeArray<Box> boxes);
 
 }  // namespace oblast

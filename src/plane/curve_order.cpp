@@ -4,12 +4,12 @@
 #include <array>
 #include <utility>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "plane/box.h"
 
-namespace oblast::noding {
+namespace oblast {
 namespace {
 
 // The curve in its four orientations. Quadrants are numbered 2 x + y.
@@ -216,4 +216,4 @@ LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
   return order;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast

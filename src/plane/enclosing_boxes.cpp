@@ -5,13 +5,11 @@
 #include <numeric>
 
 #include "base/call.h"
-#include "base/tuning.h"
 #include "base/call_memory.h"
+#include "base/tuning.h"
 
 namespace oblast {
 namespace {
-
-using noding::Box;
 
 /// A grid of about one cell a point, and the points by cell.
 class PointGrid {

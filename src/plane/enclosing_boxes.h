@@ -18,6 +18,6 @@ struct Enclosure {
 };
 
 /// REQUIRES: points[i] in boxes[i]. Cost: O(n).
-Enclosure find_enclosing(std::span<const noding::Box> boxes, std::span<const Point> points);
+Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points);
 
 }  // namespace oblast

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "base/call.h"
+#include "base/call_memory.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 #include "plane/edges_in.h"
 
-namespace oblast::noding {
+namespace oblast {
 namespace {
 
 using exact::orientation;
@@ -222,4 +222,4 @@ bool RingTree::left_crossings_are_odd(std::uint32_t leaf, const Point& p) const 
   return odd;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast

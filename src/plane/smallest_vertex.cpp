@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

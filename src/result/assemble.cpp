@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 #include "plane/smallest_vertex.h"
 
 namespace oblast {

@@ -3,10 +3,10 @@
 #include <atomic>
 #include <utility>
 
-#include "base/parallel.h"
-#include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
+#include "base/parallel.h"
+#include "base/tuning.h"
 #include "result/rings.h"
 
 namespace oblast {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 #include "graph/locate_below.h"
 #include "plane/smallest_vertex.h"
 

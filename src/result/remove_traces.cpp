@@ -3,12 +3,13 @@
 // Spans of trace vertices that may go are taken out at once (trace_spans.h says which). Of the others, vertices are
 // taken out one by one until none can go (retry_traces.h). So the outcome is a function of the result alone, promise G2
 // holds, and no vertex stays that could go.
+#include "result/remove_traces.h"
+
 #include <algorithm>
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
 #include "result/retry_traces.h"
-#include "result/rings.h"
 #include "result/trace_spans.h"
 
 namespace oblast {

@@ -149,7 +149,7 @@ class Retry {
     return true;
   }
 
-  static noding::Box box_of(const Point& a, const Point& b, const Point& c) { return noding::Box::of(a, c).joined(b); }
+  static Box box_of(const Point& a, const Point& b, const Point& c) { return Box::of(a, c).joined(b); }
 
   /// Whether an edge joins the places of two vertices.
   bool has_edge(std::uint32_t v, std::uint32_t w) const {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/parallel.h"
-#include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
+#include "base/parallel.h"
+#include "base/tuning.h"
 
 namespace oblast {
 namespace {

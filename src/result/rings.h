@@ -89,8 +89,4 @@ void add_trace_edges(const NodeKinds& kinds, const NodeOf& node_of, Rings& rings
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);
 
-/// Takes out every trace vertex that may go (promise G3a, trace_spans.h), and, under CollinearVertices::drop, exactly
-/// collinear ones. Cost: O((n + k) log n), where k vertices lie near edges that had traces; linear if there are none.
-Rings remove_traces(Rings rings, CollinearVertices collinear);
-
 }  // namespace oblast

@@ -1,8 +1,8 @@
 #include "result/select.h"
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "base/large_pages.h"
 
 namespace oblast {
 

@@ -15,7 +15,6 @@ namespace oblast {
 namespace {
 
 using noding::Along;
-using noding::Box;
 using noding::Run;
 
 constexpr noding::Group span_group = 1, vertex_group = 2;

@@ -3,8 +3,8 @@
 #include <oblast/error.h>
 
 #include "base/call.h"
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 #include "triangulation/flip.h"
 #include "triangulation/pocket.h"
 

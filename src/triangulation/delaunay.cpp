@@ -4,10 +4,10 @@
 #include <cassert>
 #include <numeric>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "exact/in_circle.h"
 #include "exact/orientation.h"
-#include "base/large_pages.h"
 #include "triangulation/locate.h"
 #include "triangulation/spatial_order.h"
 

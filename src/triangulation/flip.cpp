@@ -1,7 +1,7 @@
 #include "triangulation/flip.h"
 
-#include "exact/in_circle.h"
 #include "base/call_memory.h"
+#include "exact/in_circle.h"
 
 namespace oblast::triangulation {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 
 namespace oblast::triangulation {
 namespace {

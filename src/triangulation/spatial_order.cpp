@@ -5,8 +5,8 @@
 #include <bit>
 #include <utility>
 
-#include "base/tuning.h"
 #include "base/large_pages.h"
+#include "base/tuning.h"
 #include "plane/curve_order.h"
 
 namespace oblast::triangulation {
@@ -27,13 +27,13 @@ int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index
 }  // namespace
 
 Array<std::uint32_t> spatial_order(std::span<const Point> points) {
-  const LargeArray<noding::Keyed> curve = noding::curve_order(points);
+  const LargeArray<Keyed> curve = curve_order(points);
   std::array<std::uint32_t, most_rounds> place{};
-  for (const noding::Keyed& k : curve) ++place[round_of(k.index)];
+  for (const Keyed& k : curve) ++place[round_of(k.index)];
   std::uint32_t sum = 0;
   for (int round = most_rounds - 1; round >= 0; --round) place[round] = std::exchange(sum, sum + place[round]);
   Array<std::uint32_t> order(points.size());
-  for (const noding::Keyed& k : curve) order[place[round_of(k.index)]++] = k.index;
+  for (const Keyed& k : curve) order[place[round_of(k.index)]++] = k.index;
   return order;
 }
 

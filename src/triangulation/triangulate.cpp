@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/public_call.h"
 #include "base/call_memory.h"
+#include "base/public_call.h"
 #include "base/stage_shares.h"
 #include "regions/validate.h"
 #include "triangulation/constrain.h"

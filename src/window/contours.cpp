@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/index.h"
-#include "engines/leonov_nikitin/label.h"
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "base/memory_budget.h"
+#include "engines/leonov_nikitin/label.h"
 #include "plane/point_hash.h"
 #include "result/assemble.h"
 #include "result/link.h"
 #include "result/nesting.h"
 #include "result/rings.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 namespace {
 
 /// Flags every vertex whose point occurs more than once.
@@ -21,7 +21,7 @@ void flag_repeated(std::span<const Point> points, Array<std::uint8_t>& flags) {
   constexpr std::uint32_t free = 0xffffffff;
   Array<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
-    for (std::uint64_t slot = noding::hash(points[v]);; ++slot) {
+    for (std::uint64_t slot = hash(points[v]);; ++slot) {
       std::uint32_t& entry = slots[slot & (slots.size() - 1)];
       if (entry == free) {
         entry = v;
@@ -110,4 +110,4 @@ std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   return assembled(contours);
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

@@ -5,7 +5,7 @@
 #include "exact/orientation.h"
 #include "noding/simple_ring.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 
 using exact::orientation;
 
@@ -34,10 +34,10 @@ std::optional<Window> Window::of(std::span<const Point> contour, std::pmr::memor
   if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return {};
   const auto largest = std::max_element(corners.begin(), corners.end(), lexicographically_less);
   window.largest_ = static_cast<std::uint32_t>(largest - corners.begin());
-  window.box_ = noding::Box::of(corners.front(), *largest);
+  window.box_ = Box::of(corners.front(), *largest);
   window.sides_.reserve(corners.size());
   for (std::uint32_t i = 0; i < window.size(); ++i) {
-    window.sides_.push_back(noding::Box::of(window.corner(i), window.corner_after(i)));
+    window.sides_.push_back(Box::of(window.corner(i), window.corner_after(i)));
     window.box_.y0 = std::min(window.box_.y0, corners[i].y);
     window.box_.y1 = std::max(window.box_.y1, corners[i].y);
   }
@@ -50,4 +50,4 @@ bool Window::contains(const Point& p) const {
   return true;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

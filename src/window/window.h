@@ -12,7 +12,7 @@
 #include "base/tuning.h"
 #include "plane/box.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 
 /// Corners counter-clockwise from the lexicographically smallest one, straight ones included. Sides 0 to
 /// largest - 1 are the lower chain, which runs to the right; the others are the upper one, which runs back.
@@ -29,14 +29,14 @@ class Window {
   std::uint32_t size() const { return static_cast<std::uint32_t>(corners_.size()); }
   const Point& corner(std::uint32_t i) const { return corners_[i]; }
   const Point& corner_after(std::uint32_t i) const { return corners_[i + 1 == size() ? 0 : i + 1]; }
-  const noding::Box& box() const { return box_; }
+  const Box& box() const { return box_; }
 
   /// Exactly: inside, not on the boundary.
   bool contains(const Point& p) const;
 
   /// Calls visit(side) for every side whose box meets `box`; stops and returns false when visit does.
   template <class Visit>
-  bool each_side_near(const noding::Box& box, const Visit& visit) const {
+  bool each_side_near(const Box& box, const Visit& visit) const {
     const auto try_sides = [&](std::uint32_t first, std::uint32_t last) {
       for (std::uint32_t i = first; i < last; ++i)
         if (box.meets(sides_[i]) && !visit(i)) return false;
@@ -66,12 +66,12 @@ class Window {
   explicit Window(std::pmr::memory_resource* memory) : corners_(memory), sides_(memory) {}
 
   std::pmr::vector<Point> corners_;
-  std::pmr::vector<noding::Box> sides_;  ///< boxes of the sides
+  std::pmr::vector<Box> sides_;  ///< boxes of the sides
   std::uint32_t largest_ = 0;
-  noding::Box box_{};
+  Box box_{};
 };
 
 /// The contour without points at its end that repeat its first one.
 std::span<const Point> without_closing_point(std::span<const Point> contour);
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

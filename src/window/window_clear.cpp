@@ -1,13 +1,13 @@
 // The edges that count keep clear of all near ones: then noding would cut them at the window only.
 #include <algorithm>
 
+#include "base/call_memory.h"
 #include "base/tuning.h"
+#include "exact/orientation.h"
 #include "plane/far.h"
 #include "window/window_clip.h"
-#include "exact/orientation.h"
-#include "base/call_memory.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 
 using exact::orientation;
 
@@ -118,4 +118,4 @@ bool WindowClip::near_pairs_are_clear() const {
   return true;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

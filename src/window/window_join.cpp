@@ -3,14 +3,14 @@
 #include <numeric>
 #include <vector>
 
-#include "base/index.h"
-#include "window/contours.h"
-#include "window/window_clip.h"
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "base/memory_budget.h"
 #include "noding/simple_ring.h"
+#include "window/contours.h"
+#include "window/window_clip.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 
 std::optional<RegionSet> WindowClip::run(Operation operation) {
   measure();
@@ -203,4 +203,4 @@ void WindowClip::add_window(bool counter_clockwise, RegionSet& result) const {
   result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

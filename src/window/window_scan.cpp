@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plane/far.h"
-#include "window/window_clip.h"
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "noding/simple_ring.h"
+#include "plane/far.h"
+#include "window/window_clip.h"
 
-namespace oblast::classics {
+namespace oblast::window {
 
 using exact::orientation;
 
@@ -177,4 +177,4 @@ bool WindowClip::is_clear_at(const Point& x, Index side, const Ring& ring, Index
   return is_far(x, ring.from(before), ring.to(before), gap_) && is_far(x, ring.from(after), ring.to(after), gap_);
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::window

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "generators/hostile.h"
-#include "base/call_memory.h"
 
 namespace oblast {
 namespace {

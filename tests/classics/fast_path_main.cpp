@@ -81,7 +81,7 @@ std::vector<Point> star(Random& random, int n) {
 void compare(const char* what, int n, const std::vector<ClassicCase>& cases) {
   long taken = 0, differ = 0;
   for (const ClassicCase& c : cases) {
-    taken += classics::fast_overlay(c.a, c.b, c.operation, {}).has_value();
+    taken += window::fast_overlay(c.a, c.b, c.operation, {}).has_value();
     differ += overlay(c.a, c.b, c.operation) != by_pipeline(c.a, c.b, c.operation);
   }
   const double pipeline =

@@ -3,8 +3,8 @@
 #include <oblast/oblast.h>
 
 #include "classics/cases.h"
-#include "window/fast_path.h"
 #include "classics/wkt.h"
+#include "window/fast_path.h"
 
 namespace oblast::tests {
 
@@ -106,7 +106,7 @@ WindowTrialCount run_window_trial(long cases, std::uint64_t seed) {
     const std::uint64_t case_seed = seed * 1000000011 + static_cast<std::uint64_t>(i);
     Random random(case_seed);
     const ClassicCase c = window_case(random);
-    const std::optional<RegionSet> got = classics::fast_overlay(c.a, c.b, c.operation, {});
+    const std::optional<RegionSet> got = window::fast_overlay(c.a, c.b, c.operation, {});
     if (!got) continue;
     const RegionSet wanted = by_pipeline(c.a, c.b, c.operation);
     ++count.taken[static_cast<int>(c.spread)];

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "noding/simple_ring.h"
+#include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
 namespace oblast {
@@ -26,7 +27,7 @@ Collected collected(const RegionSet& a, const RegionSet* b = nullptr, FillRule r
   Control control(options);
   Collected c;
   const RegionView b_view = b ? b->view() : RegionView{};
-  c.strands = collect(a, b ? &b_view : nullptr, options, control, c.statistics);
+  c.strands = collect(a, b ? &b_view : nullptr, options, resolve_by_pipeline(control), c.statistics.resolved_polygons);
   return c;
 }
 

@@ -16,7 +16,6 @@ namespace oblast {
 namespace {
 
 using generators::Random;
-using noding::Box;
 using noding::Strands;
 using testing::box;
 using testing::closed;

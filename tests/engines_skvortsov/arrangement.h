@@ -3,10 +3,11 @@
 
 #include <oblast/options.h>
 
+#include "collect/collect.h"
 #include "generators/hostile.h"
 #include "graph/chain_graph.h"
-#include "collect/collect.h"
 #include "noding/node_strands.h"
+#include "overlay/pipeline.h"
 
 namespace oblast::testing {
 
@@ -15,7 +16,9 @@ inline ChainGraph arrangement_of(const generators::Operands& operands, const Opt
   Statistics statistics;
   const RegionView a = operands.a, b = operands.b;
   noding::NodingReport report;
-  return build_chain_graph(node_strands(collect(a, &b, options, control, statistics), report, control, statistics));
+  return build_chain_graph(
+      node_strands(collect(a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons), report,
+                   resolve_by_pipeline(control), statistics.resolved_polygons));
 }
 
 }  // namespace oblast::testing

@@ -3,9 +3,10 @@
 
 #include <oblast/region_set.h>
 
-#include "graph/chain_graph.h"
 #include "collect/collect.h"
+#include "graph/chain_graph.h"
 #include "noding/node_strands.h"
+#include "overlay/pipeline.h"
 
 namespace oblast {
 
@@ -17,8 +18,9 @@ inline ChainGraph noded_graph(const RegionView& a, const RegionSet* b, const Fil
   Statistics statistics;
   const RegionView b_view = b ? b->view() : RegionView{};
   noding::NodingReport report;
-  return build_chain_graph(
-      node_strands(collect(a, b ? &b_view : nullptr, options, control, statistics), report, control, statistics));
+  return build_chain_graph(node_strands(
+      collect(a, b ? &b_view : nullptr, options, resolve_by_pipeline(control), statistics.resolved_polygons), report,
+      resolve_by_pipeline(control), statistics.resolved_polygons));
 }
 
 }  // namespace oblast

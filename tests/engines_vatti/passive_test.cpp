@@ -26,8 +26,8 @@ std::vector<std::uint32_t> live_chains(const ChainGraph& graph) {
   return live;
 }
 
-noding::Box box_of(const ChainGraph& graph, std::uint32_t chain) {
-  noding::Box box = noding::Box::of(graph.point(graph.chains[chain].first), graph.point(graph.chains[chain].first));
+Box box_of(const ChainGraph& graph, std::uint32_t chain) {
+  Box box = Box::of(graph.point(graph.chains[chain].first), graph.point(graph.chains[chain].first));
   for (std::uint32_t v = graph.chains[chain].first; v <= graph.chains[chain].last; ++v) {
     const Point& p = graph.point(v);
     box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <string>
 
+#include "base/call_memory.h"
 #include "base/index_limits.h"
 #include "faults/allocations.h"
 #include "generators/hostile.h"
-#include "base/call_memory.h"
 #include "support/public_functions.h"
 
 namespace oblast::testing {

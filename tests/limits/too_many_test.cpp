@@ -7,11 +7,11 @@
 #include <string>
 
 #include "base/index.h"
+#include "graph/chain_graph.h"
 #include "noding/arrange_cuts.h"
 #include "noding/insert_cuts.h"
 #include "noding/merge_identical_edges.h"
 #include "result/assemble.h"
-#include "graph/chain_graph.h"
 
 namespace oblast {
 namespace {

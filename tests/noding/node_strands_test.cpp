@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "collect/collect.h"
+#include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
 namespace oblast {
@@ -28,7 +29,8 @@ Noded noded(const std::string& polygons) {
   Statistics statistics;
   noding::NodingReport report;
   Noded n;
-  n.strands = node_strands(collect(set, nullptr, options, control, statistics), report, control, statistics);
+  n.strands = node_strands(collect(set, nullptr, options, resolve_by_pipeline(control), statistics.resolved_polygons),
+                           report, resolve_by_pipeline(control), statistics.resolved_polygons);
   n.resolved = statistics.resolved_polygons;
   for (std::size_t s = 0; s < n.strands.size(); ++s)
     for (std::uint32_t e = n.strands.begin(s); e + 1 < n.strands.ends[s]; ++e) {

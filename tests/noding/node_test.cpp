@@ -7,10 +7,11 @@
 #include <cmath>
 #include <map>
 
+#include "collect/collect.h"
 #include "generators/hostile.h"
 #include "generators/random.h"
 #include "noding/monotone_runs.h"
-#include "collect/collect.h"
+#include "overlay/pipeline.h"
 #include "support/strands_of.h"
 #include "verify/predicates.h"
 
@@ -215,7 +216,8 @@ TEST(Node, settlesHostileInput) {
       Statistics statistics;
       const RegionView b = operands.b;
       NodingReport report;
-      node_and_check(collect(operands.a, &b, options, control, statistics), report);
+      node_and_check(collect(operands.a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons),
+                     report);
       most = std::max(most, report.rounds);
       if (HasFailure()) return;
     }

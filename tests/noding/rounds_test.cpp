@@ -5,13 +5,14 @@
 
 #include <set>
 
+#include "collect/collect.h"
 #include "generators/hostile.h"
 #include "noding/clearance.h"
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 #include "noding/merge_identical_edges.h"
 #include "noding/monotone_runs.h"
-#include "collect/collect.h"
+#include "overlay/pipeline.h"
 #include "support/strands_of.h"
 #include "verify/edges.h"
 #include "verify/rational.h"
@@ -80,7 +81,7 @@ TEST(Rounds, cutWhereThereIsAVertexOrARoundedIntersection) {
         options.fill_a = options.fill_b = FillRule::nonzero();
         Control control(options);
         Statistics statistics;
-        Strands strands = collect(operands.a, &b, options, control, statistics);
+        Strands strands = collect(operands.a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons);
         most = std::max(most, check_rounds(merge_identical_edges(std::move(strands)),
                                            std::string(generator.name) + " seed " + std::to_string(seed)));
       }

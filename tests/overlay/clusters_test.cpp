@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <atomic>
 
-#include "generators/hostile.h"
-#include "generators/random.h"
 #include "collect/collect.h"
 #include "collect/independent_parts.h"
+#include "generators/hostile.h"
+#include "generators/random.h"
+#include "overlay/pipeline.h"
 
 namespace oblast {
 namespace {
@@ -73,7 +74,7 @@ TEST(Clusters, byThemselvesAndTogetherGiveTheSameBytes) {
     Control control(options);
     Statistics statistics;
     const RegionView b = all.b;
-    const auto strands = collect(all.a, &b, options, control, statistics);
+    const auto strands = collect(all.a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons);
     ASSERT_GE(independent_parts(strands, {true, true}).size(), 2u) << "the overlay is not divided";
   }
   for (const Operation operation :

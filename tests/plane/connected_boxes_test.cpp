@@ -9,15 +9,14 @@
 #include <set>
 #include <span>
 
-#include "generators/random.h"
 #include "base/disjoint_sets.h"
+#include "generators/random.h"
 #include "support/usual_tuning.h"
 
 namespace oblast {
 namespace {
 
 using generators::Random;
-using noding::Box;
 
 /// By box, the smallest box it is connected with.
 std::vector<std::uint32_t> smallest_connected(std::span<const Box> boxes) {

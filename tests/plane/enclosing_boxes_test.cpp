@@ -9,8 +9,6 @@
 namespace oblast {
 namespace {
 
-using noding::Box;
-
 struct Boxes {
   std::vector<Box> boxes;
   std::vector<Point> points;

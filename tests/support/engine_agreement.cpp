@@ -8,10 +8,11 @@
 #include <array>
 #include <vector>
 
+#include "collect/collect.h"
 #include "engines/skvortsov/marked_mesh.h"
 #include "graph/chain_graph.h"
-#include "collect/collect.h"
 #include "noding/node_strands.h"
+#include "overlay/pipeline.h"
 #include "support/check_mesh.h"
 #include "support/same_bits.h"
 
@@ -78,7 +79,9 @@ ChainGraph arrangement(const Operands& operands) {
   Statistics statistics;
   noding::NodingReport report;
   const RegionView a = operands.a, b = operands.b;
-  return build_chain_graph(node_strands(collect(a, &b, options, control, statistics), report, control, statistics));
+  return build_chain_graph(
+      node_strands(collect(a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons), report,
+                   resolve_by_pipeline(control), statistics.resolved_polygons));
 }
 
 /// Every edge of every live chain, by vertices of the mesh.

@@ -1,9 +1,10 @@
 // The stages one after the other.
 #include "support/graph_of.h"
 
-#include "engines/leonov_nikitin/label.h"
 #include "collect/collect.h"
+#include "engines/leonov_nikitin/label.h"
 #include "noding/node_strands.h"
+#include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {
@@ -12,8 +13,9 @@ ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& opt
   Control control(options);
   Statistics statistics;
   noding::NodingReport report;
-  noding::Strands strands = collect(a, b, options, control, statistics);
-  return build_chain_graph(node_strands(std::move(strands), report, control, statistics));
+  noding::Strands strands = collect(a, b, options, resolve_by_pipeline(control), statistics.resolved_polygons);
+  return build_chain_graph(
+      node_strands(std::move(strands), report, resolve_by_pipeline(control), statistics.resolved_polygons));
 }
 
 Linked linked_of(const RegionView& a, const RegionView& b, Operation operation, const Options& options) {

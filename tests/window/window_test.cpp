@@ -8,15 +8,15 @@
 #include "classics/cases.h"
 #include "classics/shapes.h"
 #include "classics/trial.h"
-#include "window/fast_path.h"
 #include "classics/wkt.h"
 #include "support/usual_tuning.h"
+#include "window/fast_path.h"
 
 namespace {
 
 using namespace oblast;
 using namespace oblast::tests;
-using classics::fast_overlay;
+using window::fast_overlay;
 
 RegionSet rectangle(double x0, double y0, double x1, double y1) {
   return one_contour({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});

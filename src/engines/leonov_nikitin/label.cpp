@@ -13,19 +13,17 @@
 
 #include <algorithm>
 
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "engines/leonov_nikitin/relative_labels.h"
 #include "exact/orientation.h"
-#include "base/large_pages.h"
-#include "plane/enclosing_boxes.h"
 #include "graph/locate_below.h"
+#include "plane/enclosing_boxes.h"
 #include "plane/smallest_vertex.h"
 
 namespace oblast::leonov_nikitin {
 namespace {
-
-using noding::Box;
 
 /// What is connected. Its labels are relative to one of its sectors.
 struct Component {

@@ -5,10 +5,10 @@
 #include <span>
 #include <utility>
 
-#include "base/parallel.h"
-#include "base/tuning.h"
 #include "base/fetch.h"
 #include "base/large_pages.h"
+#include "base/parallel.h"
+#include "base/tuning.h"
 
 namespace oblast::leonov_nikitin {
 namespace {

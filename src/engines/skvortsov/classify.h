@@ -11,8 +11,8 @@
 
 #include <oblast/options.h>
 
-#include "engines/skvortsov/marked_mesh.h"
 #include "base/call_memory.h"
+#include "engines/skvortsov/marked_mesh.h"
 
 namespace oblast::skvortsov {
 

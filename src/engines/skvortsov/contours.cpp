@@ -1,8 +1,8 @@
 #include "engines/skvortsov/contours.h"
 
 #include "base/call.h"
-#include "exact/orientation.h"
 #include "base/call_memory.h"
+#include "exact/orientation.h"
 
 namespace oblast::skvortsov {
 namespace {

@@ -12,8 +12,8 @@
 // contours around one connected set of kept triangles are one polygon.
 #pragma once
 
-#include "engines/skvortsov/marked_mesh.h"
 #include "base/call_memory.h"
+#include "engines/skvortsov/marked_mesh.h"
 #include "result/nesting.h"
 #include "result/rings.h"
 

@@ -1,11 +1,11 @@
 #include "engines/skvortsov/extract.h"
 
 #include "base/call.h"
+#include "base/call_memory.h"
+#include "base/stage_shares.h"
 #include "engines/skvortsov/classify.h"
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
-#include "base/call_memory.h"
-#include "base/stage_shares.h"
 
 namespace oblast::skvortsov {
 namespace {
@@ -51,22 +51,16 @@ Extracted extract(const ChainGraph& graph, Operation operation, const Options& o
   MarkedMesh marked;
   Classification classes;
   {
-    const StageClock clock(control, statistics, Stage::label);
-    poll();
-    const Share share(Stage::label, label_share);
+    const InStage stage(Stage::label, label_share, control, statistics);
     marked = mark_mesh(graph);
     classes = classify(graph, marked);
   }
-  poll();
   Kept kept;
   {
-    const Share share(Stage::select, select_share);
-    const StageClock clock(control, statistics, Stage::select);
+    const InStage stage(Stage::select, select_share, control, statistics);
     kept = kept_triangles(classes, select_faces(classes, operation, options));
   }
-  poll();
-  const Share share(Stage::link, link_share);
-  const StageClock clock(control, statistics, Stage::link);
+  const InStage stage(Stage::link, link_share, control, statistics);
   Contours contours = walk_contours(marked.mesh, kept, options.contours);
   Rings rings = rings_of(marked, contours, classify_nodes(graph, selection_of(graph, marked, kept)));
   return {std::move(rings), std::move(contours.nesting)};

@@ -1,8 +1,8 @@
 #include "engines/skvortsov/marked_mesh.h"
 
 #include "base/call.h"
-#include "base/index.h"
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 

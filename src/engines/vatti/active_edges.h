@@ -13,9 +13,9 @@
 
 #include <cstdint>
 
+#include "base/call_memory.h"
 #include "engines/vatti/bounds.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast::vatti {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
-#include "base/call_memory.h"
 
 namespace oblast::vatti {
 namespace {

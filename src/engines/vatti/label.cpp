@@ -8,10 +8,10 @@
 #include "engines/vatti/label.h"
 
 #include "base/call.h"
+#include "base/call_memory.h"
 #include "engines/vatti/active_edges.h"
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
-#include "base/call_memory.h"
 
 namespace oblast::vatti {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "base/call.h"
-#include "base/tuning.h"
-#include "exact/orientation.h"
 #include "base/call_memory.h"
 #include "base/disjoint_sets.h"
+#include "base/tuning.h"
+#include "exact/orientation.h"
 
 namespace oblast::vatti {
 namespace {

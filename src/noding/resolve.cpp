@@ -1,33 +1,25 @@
-#include "overlay/resolve.h"
+#include "noding/resolve.h"
 
 #include <algorithm>
 
 #include "base/call.h"
-#include "base/call_memory.h"
-#include "overlay/pipeline.h"
 
 namespace oblast {
 
 using noding::Strands;
 
-bool resolve(const RegionView& rings, noding::Winding winding, noding::Group group, Control& control,
-             Strands& strands) {
-  Options options;
-  options.fill_a = FillRule::even_odd();
-  Statistics inner;
-  options.statistics = &inner;
-  const PipelineResult result = run_pipeline(rings, nullptr, Operation::unite, options, control, inner);
-  const RegionView regions = result.regions;
+bool append_resolved(const Resolved& resolved, noding::Winding winding, noding::Group group, Strands& strands) {
+  const RegionView regions = resolved.regions;
   for (std::size_t c = 0; c < regions.contour_count(); ++c) {
     const std::span<const Point> ring = regions.contour(c);
     strands.points.insert(strands.points.end(), ring.begin(), ring.end());
     strands.points.push_back(ring[0]);
-    strands.close_strand(winding, result.touches ? noding::any_group : group);
+    strands.close_strand(winding, resolved.touches ? noding::any_group : group);
   }
-  return inner.intersections > 0 || result.touches;
+  return resolved.met;
 }
 
-Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tangled, Control& control) {
+Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tangled, const Resolve& resolve) {
   Strands result;
   result.parity = strands.parity;
   result.points.reserve(strands.points.size());
@@ -42,7 +34,7 @@ Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tang
       // It came in turned as its smallest vertex says; what comes back runs counter-clockwise.
       const noding::Winding change = strands.change[s];
       const noding::Winding winding{change.a != 0 ? 1 : 0, change.b != 0 ? 1 : 0};
-      resolve(RegionView{ring.first(end), std::span(&end, 1), {}}, winding, strands.group[s], control, result);
+      append_resolved(resolve(RegionView{ring.first(end), std::span(&end, 1), {}}), winding, strands.group[s], result);
     } else {
       result.points.insert(result.points.end(), ring.begin(), ring.end());
       result.close_strand(strands.change[s], strands.group[s], strands.simplicity[s]);
