@@ -5,6 +5,7 @@
 #include "triangulation/delaunay.h"
 
 namespace oblast::bench {
+using namespace internal;
 
 TriangulationRun triangulate_with_oblast(const TriangulationInput& input) {
   const std::clock_t begin = std::clock();

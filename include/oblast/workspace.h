@@ -6,7 +6,11 @@
 
 namespace oblast {
 
+class Workspace;
+namespace internal {
 class KeptBlocks;
+KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
+}  // namespace internal
 
 /// Memory that calls leave behind for the next ones, so that these need not ask the system, whose pages cost a call on
 /// some hundred thousand vertices about a quarter of its time. Given in Options::workspace to call after call, it makes
@@ -31,9 +35,9 @@ class Workspace {
   void clear();
 
  private:
-  friend KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
+  friend internal::KeptBlocks* internal::kept_blocks(oblast::Workspace* workspace, std::size_t vertices);
 
-  std::unique_ptr<KeptBlocks> blocks_;
+  std::unique_ptr<internal::KeptBlocks> blocks_;
 };
 
 }  // namespace oblast

@@ -6,7 +6,7 @@
 
 #include "base/kept_blocks.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 class BlockResource : public std::pmr::memory_resource {
  private:
@@ -16,4 +16,4 @@ class BlockResource : public std::pmr::memory_resource {
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

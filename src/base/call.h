@@ -22,7 +22,7 @@
 #include "base/stopped.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 class CallMemory;
 class KeptBlocks;
@@ -142,4 +142,4 @@ class Steps {
   std::size_t between_polls_, until_poll_;
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -17,7 +17,7 @@
 #include "base/kept_blocks.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 // The address sanitizer sees what is wrong within the system's blocks only.
 #if defined(__SANITIZE_ADDRESS__)
@@ -117,4 +117,4 @@ class CallAllocator {
 template <class T>
 using Array = std::vector<T, CallAllocator<T>>;
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// REQUIRES: the enumerators of E are all whole numbers from 0 to `last`.
 template <class E>
@@ -43,4 +43,4 @@ inline void check_overlay_options(const Options& options) {
   check_enumerator(options.collinear, CollinearVertices::drop, "CollinearVertices");
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

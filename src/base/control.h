@@ -13,7 +13,7 @@
 #include "base/stopped.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Shared by all stages and threads of one call.
 class Control {
@@ -108,4 +108,4 @@ class Control {
   double fraction_ = 0;                          ///< of the last question
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -7,7 +7,7 @@
 
 #include "base/call_memory.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 class DisjointSets {
  public:
@@ -29,4 +29,4 @@ class DisjointSets {
   Array<std::uint32_t> parent_;
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

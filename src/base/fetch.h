@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// It is advice: nothing depends on it but time.
 inline void fetch(const void* address) {
@@ -23,4 +23,4 @@ void fetch_around(const Items& items, std::size_t index) {
   fetch(&items[index + (index + 1 < items.size())]);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

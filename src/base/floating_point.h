@@ -18,7 +18,7 @@
 
 #include "base/arithmetic.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 #if defined(__SSE2__)
 
@@ -115,4 +115,4 @@ class WithFloatingPoint {
   FloatingPoint found_;
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

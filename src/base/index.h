@@ -9,7 +9,7 @@
 
 #include "base/index_limits.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void throw_too_many(const char* what, std::size_t most,
                                                                   std::size_t operand = Place::npos) {
@@ -29,4 +29,4 @@ inline std::uint32_t checked_index(std::size_t count, const char* what, std::siz
   return static_cast<std::uint32_t>(count);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 
 #include "base/tuning_setting.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 inline constexpr bool low_index_limits = tuning::setting != tuning::Setting::usual;
 
@@ -24,4 +24,4 @@ inline constexpr std::size_t most_chains = most_indices / 2;
 /// Vertices of a triangulation: they have twice as many triangles, and a half-edge is one's index, shifted by two.
 inline constexpr std::size_t most_mesh_vertices = low_index_limits ? std::size_t{5} << 18 : std::size_t{1} << 29;
 
-}  // namespace oblast
+}  // namespace oblast::internal

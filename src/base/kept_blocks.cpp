@@ -8,7 +8,7 @@
 #include "base/memory_budget.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 constexpr std::size_t shortest = tuning::shortest_kept_block;
@@ -97,16 +97,6 @@ void give_block_back(void* block, std::size_t bytes) {
     ::operator delete(header);
 }
 
-Workspace::Workspace(std::size_t most_bytes) : blocks_(std::make_unique<KeptBlocks>(most_bytes)) {}
-Workspace::Workspace(Workspace&&) noexcept = default;
-Workspace& Workspace::operator=(Workspace&&) noexcept = default;
-Workspace::~Workspace() = default;
-
-std::size_t Workspace::kept_bytes() const { return blocks_ ? blocks_->bytes() : 0; }
-void Workspace::clear() {
-  if (blocks_) blocks_->clear();
-}
-
 KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices) {
   KeptBlocks* const blocks = workspace ? workspace->blocks_.get() : nullptr;
   // The largest arrays alone have some thirty bytes a vertex.
@@ -116,6 +106,20 @@ KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices) {
     return nullptr;
   }
   return blocks;
+}
+
+}  // namespace oblast::internal
+
+namespace oblast {
+
+Workspace::Workspace(std::size_t most_bytes) : blocks_(std::make_unique<internal::KeptBlocks>(most_bytes)) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
+
+std::size_t Workspace::kept_bytes() const { return blocks_ ? blocks_->bytes() : 0; }
+void Workspace::clear() {
+  if (blocks_) blocks_->clear();
 }
 
 }  // namespace oblast

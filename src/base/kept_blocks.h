@@ -4,13 +4,13 @@
 // are taken again by arrays that they fit; the rest is the system's.
 #pragma once
 
+#include <oblast/workspace.h>
+
 #include <cstddef>
 #include <mutex>
 #include <vector>
 
-namespace oblast {
-
-class Workspace;
+namespace oblast::internal {
 
 class KeptBlocks {
  public:
@@ -50,4 +50,4 @@ void give_block_back(void* block, std::size_t bytes);
 /// it is emptied, for the call will need the memory.
 KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -18,7 +18,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Leaves new elements as they are until they are written.
 template <class T>
@@ -104,4 +104,4 @@ void release_unused_pages(std::vector<T, Allocator>& items) {
   release_pages(begin + items.size() * sizeof(T), begin + items.capacity() * sizeof(T));
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace oblast {
+namespace oblast::internal {
 
 void MemoryBudget::refuse(std::size_t bytes) {
   give_back(bytes);
@@ -12,4 +12,4 @@ void MemoryBudget::refuse(std::size_t bytes) {
               "the call needs more memory than its limit of " + std::to_string(most_bytes_) + " bytes");
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -13,7 +13,7 @@
 
 #include "base/call.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 class MemoryBudget {
  public:
@@ -76,4 +76,4 @@ inline std::size_t bytes_of(const RegionView& regions) {
   return bytes_of_regions(regions.points.size(), regions.contour_ends.size(), regions.polygon_ends.size());
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

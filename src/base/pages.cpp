@@ -8,7 +8,7 @@
 #include "base/tuning.h"
 #endif
 
-namespace oblast {
+namespace oblast::internal {
 
 #ifdef __linux__
 namespace {
@@ -30,4 +30,4 @@ void ask_for_large_pages(char*, const char*) {}
 void release_pages(char*, const char*) {}
 #endif
 
-}  // namespace oblast
+}  // namespace oblast::internal

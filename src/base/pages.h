@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Pages that lie whole in [begin, end), which are about to be filled, shall be large.
 void ask_for_large_pages(char* begin, const char* end);
@@ -13,4 +13,4 @@ void ask_for_large_pages(char* begin, const char* end);
 /// at their next use.
 void release_pages(char* begin, const char* end);
 
-}  // namespace oblast
+}  // namespace oblast::internal

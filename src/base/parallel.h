@@ -28,7 +28,7 @@
 #include "base/call.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Does the work of a call on up to `threads` threads (0: all of those that the caller's arena has), this one among
 /// them, and throws what it threw. With one thread nothing is asked of the scheduler.
@@ -237,4 +237,4 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
   });
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

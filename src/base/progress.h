@@ -14,7 +14,7 @@
 
 #include "base/control.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// While it lives, what this thread does is this share of the call. At its end all of it is done.
 class Share {
@@ -101,4 +101,4 @@ class LoopShare {
   double a_piece_ = 0;
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

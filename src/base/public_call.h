@@ -16,7 +16,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 namespace detail {
 
@@ -69,4 +69,4 @@ auto public_call(const CallOptions& options, std::size_t vertices, const Work& w
   return public_call(options, false, vertices, work);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

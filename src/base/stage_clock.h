@@ -8,7 +8,7 @@
 #include "base/call.h"
 #include "base/control.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Adds the time from its making to its end to a stage, where the call is timed.
 class StageClock {
@@ -41,4 +41,4 @@ class InStage {
   StageClock clock_;
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -1,7 +1,7 @@
 // What part of a call its stages take, for progress: rounded means over fires, stars, slabs and checkerboards.
 #pragma once
 
-namespace oblast {
+namespace oblast::internal {
 
 // Of the call. What is left is for putting the parts together.
 inline constexpr double collect_share = 0.1, parting_share = 0.05, parts_share = 0.75;
@@ -11,4 +11,4 @@ inline constexpr double node_share = 0.6, label_share = 0.1, select_share = 0.03
 // Of a triangulation: the union that comes first.
 inline constexpr double union_share = 0.5;
 
-}  // namespace oblast
+}  // namespace oblast::internal

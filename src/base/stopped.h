@@ -1,9 +1,9 @@
 #pragma once
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Thrown where work ends because its call has failed elsewhere, or was cancelled there. It never leaves a call: what
 /// was thrown there does (call.h). Nobody catches it but Call::attempt.
 struct Stopped {};
 
-}  // namespace oblast
+}  // namespace oblast::internal

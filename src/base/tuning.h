@@ -18,7 +18,7 @@
 
 #include "base/tuning_setting.h"
 
-namespace oblast::tuning {
+namespace oblast::internal::tuning {
 
 // ---- Calls and their memory ----------------------------------------------------------------------------------------
 
@@ -309,4 +309,4 @@ inline constexpr std::uint64_t last_patient_round = 24;
 inline constexpr int insertion_rounds = 16;
 inline constexpr std::uint32_t curve_crowd = 16;
 
-}  // namespace oblast::tuning
+}  // namespace oblast::internal::tuning

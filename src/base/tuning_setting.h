@@ -15,7 +15,7 @@
 #define OBLAST_TUNING_SEED 0
 #endif
 
-namespace oblast::tuning {
+namespace oblast::internal::tuning {
 
 enum class Setting { usual, tiny, random };
 
@@ -64,4 +64,4 @@ constexpr T choose_power_of_two(std::string_view name, T usual, T tiny) {
   return tiny << bits_of(name) % (doublings + 1);
 }
 
-}  // namespace oblast::tuning
+}  // namespace oblast::internal::tuning

@@ -10,7 +10,7 @@
 #include "noding/insert_cuts.h"
 #include "noding/meetings.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using noding::Group;
@@ -143,4 +143,4 @@ Arrangement arrange(const Array<Ring>& a, bool a_touches, const Array<Ring>& b, 
   return arrangement;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

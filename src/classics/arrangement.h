@@ -5,7 +5,7 @@
 #include "classics/operand.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// The meetings of one operand's edges with each other.
 struct OwnMeetings {
@@ -41,4 +41,4 @@ struct Arrangement {
 /// Cost: O((n + k) log n).
 Arrangement arrange(const Array<Ring>& a, bool a_touches, const Array<Ring>& b, bool b_touches);
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

@@ -4,6 +4,7 @@
 #include "base/check_options.h"
 
 namespace oblast {
+using namespace internal;
 
 RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
                   ClassicReport* report, const CallOptions& options) {

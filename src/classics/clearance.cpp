@@ -5,10 +5,11 @@
 
 #include "base/call_memory.h"
 #include "base/tuning.h"
+#include "noding/monotone_runs.h"
 #include "plane/box_tree.h"
 #include "plane/far.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using noding::Strands;
@@ -91,7 +92,7 @@ class ClearanceTest {
     return (v == first && w == last) || (v == last && w == first);
   }
 
-  bool is_far(const Point& p, const Point& a, const Point& b) const { return classics::is_far(p, a, b, gap_); }
+  bool is_far(const Point& p, const Point& a, const Point& b) const { return internal::is_far(p, a, b, gap_); }
 
   const Strands& strands_;
   const LargeArray<Point>& points_;
@@ -103,4 +104,4 @@ class ClearanceTest {
 
 bool is_clear(const Strands& noded) { return ClearanceTest(noded).run(); }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

@@ -10,7 +10,7 @@
 
 #include "noding/strands.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// `noded`: closed strands cut at all their meetings. Vertices that were rounded are flagged added_flag,
 /// pieces with a rounded end moved_flag. True when everything keeps well away (2^-46 of the largest
@@ -18,4 +18,4 @@ namespace oblast::classics {
 /// each operand. Cost: O(m n) for a few moved pieces m, else O((n + m) log n) where boxes of edges meet few others.
 bool is_clear(const noding::Strands& noded);
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

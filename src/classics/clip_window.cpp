@@ -10,6 +10,7 @@
 #include "window/window_clip.h"
 
 namespace oblast {
+using namespace internal;
 
 struct ClipWindow::Prepared {
   RegionSet regions;                     ///< as given, for the settled noding

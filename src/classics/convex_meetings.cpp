@@ -17,7 +17,7 @@
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using exact::orientation;
@@ -31,7 +31,7 @@ bool earlier(const Point& p, const Point& q, const Point& a, const Point& b) {
 
 }  // namespace
 
-void NodedContour::add_chain(std::size_t k, Contours& result) const {
+void NodedContour::add_chain(std::size_t k, window::Contours& result) const {
   const std::uint32_t end = nodes[k + 1 == nodes.size() ? 0 : k + 1];
   std::uint32_t i = nodes[k];
   do {
@@ -40,7 +40,7 @@ void NodedContour::add_chain(std::size_t k, Contours& result) const {
   } while (i != end);
 }
 
-void NodedContour::add_chain_backward(std::size_t k, Contours& result) const {
+void NodedContour::add_chain_backward(std::size_t k, window::Contours& result) const {
   const std::uint32_t end = nodes[k];
   std::uint32_t i = nodes[k + 1 == nodes.size() ? 0 : k + 1];
   do {
@@ -186,4 +186,4 @@ ConvexMeetings::Order ConvexMeetings::settled_order() {
   return lines_up(true) ? Order::opposite : Order::unsettled;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

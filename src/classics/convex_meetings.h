@@ -7,7 +7,7 @@
 #include "classics/operand.h"
 #include "window/contours.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// A contour cut at its meetings with the other one. Chain k runs from node k to node k + 1.
 struct NodedContour {
@@ -19,9 +19,9 @@ struct NodedContour {
   const Point& previous(std::uint32_t i) const { return points[i == 0 ? points.size() - 1 : i - 1]; }
 
   /// Adds the points of a chain, its last one left out.
-  void add_chain(std::size_t k, Contours& result) const;
+  void add_chain(std::size_t k, window::Contours& result) const;
   /// The same backward: from node k + 1, node k left out.
-  void add_chain_backward(std::size_t k, Contours& result) const;
+  void add_chain_backward(std::size_t k, window::Contours& result) const;
 };
 
 class ConvexMeetings {
@@ -64,4 +64,4 @@ class ConvexMeetings {
   bool collapsed_ = false;  ///< two points that differ were rounded to one
 };
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

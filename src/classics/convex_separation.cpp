@@ -8,7 +8,7 @@
 #include "base/call_memory.h"
 #include "exact/orientation.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using exact::orientation;
@@ -79,4 +79,4 @@ bool separated(const Array<Point>& a, const Array<Point>& b, Array<bool>& common
   return true;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

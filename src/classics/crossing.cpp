@@ -7,7 +7,7 @@
 
 #include "exact/expansion.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using exact::Expansion;
@@ -72,4 +72,4 @@ int side_of_crossing(const Line& a, const Line& b, const Line& line) {
   return d_exact.sign() * (product(o.exactly(), d_exact) + product(k.exactly(), n.exactly())).sign();
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

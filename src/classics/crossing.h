@@ -3,7 +3,7 @@
 
 #include <oblast/point.h>
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// A directed line through two different points.
 struct Line {
@@ -23,4 +23,4 @@ int turn(const Line& a, const Line& b);
 /// REQUIRES: a and b are not parallel; coordinates in the range above.
 int side_of_crossing(const Line& a, const Line& b, const Line& line);
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

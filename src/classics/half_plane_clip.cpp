@@ -17,7 +17,7 @@
 #include "base/index.h"
 #include "exact/orientation.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 using exact::orientation;
@@ -225,4 +225,4 @@ bool HalfPlaneClip::join(std::uint32_t side) {
   return true;
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

@@ -12,7 +12,7 @@
 #include "classics/crossing.h"
 #include "classics/operand.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// A convex window: its sides, collinear ones made one.
 struct ConvexWindow {
@@ -46,7 +46,7 @@ class HalfPlaneClip {
   /// Cost: O(m n log n), m sides, n vertices; O(m n) where few edges cross sides.
   bool run();
 
-  /// Contours of the result, the interior on the left: vertices and where each contour ends.
+  /// window::Contours of the result, the interior on the left: vertices and where each contour ends.
   const Array<ClipVertex>& vertices() const { return vertices_; }
   const Array<std::uint32_t>& ends() const { return ends_; }
   /// Subject vertices on the window's sides that are no ends of paths there, by side.
@@ -88,4 +88,4 @@ class HalfPlaneClip {
   Array<Point> on_line_;
 };
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

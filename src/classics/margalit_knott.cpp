@@ -26,6 +26,7 @@
 #include "window/contours.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 using classics::Ring;
@@ -113,7 +114,7 @@ class Fragments {
 RegionSet construct(const ChainGraph& graph, const Selection& selection) {
   const LinkedContours linked = link(graph, selection, ContourConvention::ogc);
   const Rings rings = contours_to_rings(graph, selection, linked);
-  classics::Contours contours;
+  window::Contours contours;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) contours.add(rings.points[v]);
     contours.close();

@@ -5,7 +5,7 @@
 #include "base/call_memory.h"
 #include "exact/orientation.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 constexpr std::size_t npos = Place::npos;
@@ -113,4 +113,4 @@ void refuse_symmetric_difference(bool is_symmetric_difference, const char* metho
                 std::string(method) + ": the method has no symmetric difference; use overlay instead");
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

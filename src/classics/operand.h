@@ -12,7 +12,7 @@
 
 #include "base/call_memory.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 /// A contour without repeated neighbours and without its closing point; -0.0 is 0.0.
 struct Ring {
@@ -49,4 +49,4 @@ struct Operand {
 /// Throws Error(precondition) unless `operation` is one that the method has.
 void refuse_symmetric_difference(bool is_symmetric_difference, const char* method);
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

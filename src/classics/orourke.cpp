@@ -22,12 +22,13 @@
 #include "window/contours.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
-using classics::Contours;
 using classics::ConvexMeetings;
 using classics::NodedContour;
 using exact::orientation;
+using window::Contours;
 
 constexpr const char* name = "O'Rourke";
 constexpr const char* instead = "Weiler-Atherton or overlay";
@@ -61,8 +62,8 @@ class Lenses {
     if (!same_order) std::reverse(b_label_.begin(), b_label_.end());
   }
 
-  Contours intersection() const {
-    Contours result;
+  window::Contours intersection() const {
+    window::Contours result;
     if (!interiors_meet_) return result;
     for (std::size_t k = 0; k < a_label_.size(); ++k)
       a_label_[k] == Label::outside ? b_.add_chain(k, result) : a_.add_chain(k, result);
@@ -70,8 +71,8 @@ class Lenses {
     return result;
   }
 
-  Contours unite() const {
-    Contours result;
+  window::Contours unite() const {
+    window::Contours result;
     if (interiors_meet_) {
       for (std::size_t k = 0; k < a_label_.size(); ++k)
         a_label_[k] == Label::inside ? b_.add_chain(k, result) : a_.add_chain(k, result);
@@ -87,8 +88,8 @@ class Lenses {
     return result;
   }
 
-  Contours difference() const {
-    Contours result;
+  window::Contours difference() const {
+    window::Contours result;
     if (!interiors_meet_) {
       for (std::size_t k = 0; k < a_label_.size(); ++k) a_.add_chain(k, result);
       result.close();
@@ -105,7 +106,7 @@ class Lenses {
   }
 
  private:
-  static void add_unshared(const NodedContour& contour, const Array<Label>& labels, Contours& result) {
+  static void add_unshared(const NodedContour& contour, const Array<Label>& labels, window::Contours& result) {
     for (std::size_t k = 0; k < labels.size(); ++k)
       if (labels[k] != Label::shared2) contour.add_chain(k, result);
   }
@@ -121,15 +122,15 @@ bool contains(const classics::Ring& ring, const Point& p) {
   return true;
 }
 
-void add_ring(const classics::Ring& ring, bool backward, Contours& result) {
+void add_ring(const classics::Ring& ring, bool backward, window::Contours& result) {
   for (std::size_t i = 0; i < ring.size(); ++i) result.add(ring.points[backward ? ring.size() - 1 - i : i]);
   result.close();
 }
 
 /// Boundaries that do not meet: apart, or one in the other.
-Contours without_meetings(const classics::Ring& a, const classics::Ring& b, Operation operation) {
+window::Contours without_meetings(const classics::Ring& a, const classics::Ring& b, Operation operation) {
   const bool a_in_b = contains(b, a.points[0]), b_in_a = !a_in_b && contains(a, b.points[0]);
-  Contours result;
+  window::Contours result;
   if (operation == Operation::intersection) {
     if (a_in_b) add_ring(a, false, result);
     if (b_in_a) add_ring(b, false, result);

@@ -8,7 +8,7 @@
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 namespace {
 
 struct Cut {
@@ -148,8 +148,8 @@ bool has_safe_magnitudes(const Array<Ring>& rings) {
   });
 }
 
-bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window, Contours& contours,
-                std::uint64_t& meetings) {
+bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window,
+                window::Contours& contours, std::uint64_t& meetings) {
   Rounding rounding(clip, subject, window);
   std::uint32_t begin = 0;
   for (const std::uint32_t end : clip.ends()) {
@@ -164,4 +164,4 @@ bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const Con
   return rounding.is_clear();
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

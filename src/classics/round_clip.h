@@ -5,13 +5,13 @@
 #include "classics/half_plane_clip.h"
 #include "window/contours.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 bool has_safe_magnitudes(const Array<Ring>& rings);
 
 /// Adds the contours of the result. False when rounding might change what meets what (clearance.h).
 /// `meetings`: points of both boundaries.
-bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window, Contours& contours,
-                std::uint64_t& meetings);
+bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window,
+                window::Contours& contours, std::uint64_t& meetings);
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

@@ -8,7 +8,7 @@
 #include "base/public_call.h"
 #include "regions/validate.h"
 
-namespace oblast::classics {
+namespace oblast::internal::classics {
 
 inline RegionSet settle(const RegionView& a, const RegionView& b, Operation operation, ClassicReport& report,
                         const Options& options) {
@@ -38,4 +38,4 @@ RegionSet classic_call(const RegionView& a, const RegionView& b, ClassicReport* 
   });
 }
 
-}  // namespace oblast::classics
+}  // namespace oblast::internal::classics

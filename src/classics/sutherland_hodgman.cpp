@@ -13,6 +13,7 @@
 #include "window/contours.h"
 
 namespace oblast {
+using namespace internal;
 
 namespace {
 
@@ -80,7 +81,7 @@ RegionSet run_sutherland_hodgman(const RegionView& regions, const RegionView& wi
   done.steps = window.sides.size();
   if (window.safe_magnitudes && classics::has_safe_magnitudes(subject.rings)) {
     classics::HalfPlaneClip clip(subject.rings, window);
-    classics::Contours contours;
+    window::Contours contours;
     if (clip.run() && classics::round_clip(clip, subject.rings, window, contours, done.meetings))
       return contours.to_region_set();
   }

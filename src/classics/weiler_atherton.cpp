@@ -19,6 +19,7 @@
 #include "window/contours.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 constexpr const char* name = "Weiler-Atherton";
@@ -123,8 +124,8 @@ class Walk {
       if (graph.is_live(c)) way_[c] = admitted(c, stretches[c], operation);
   }
 
-  classics::Contours run() {
-    classics::Contours contours;
+  window::Contours run() {
+    window::Contours contours;
     for (std::uint32_t c = 0; c < way_.size(); ++c) {
       if (way_[c] == none) continue;
       for (Descriptor d = way_[c]; d != none; d = leave_from(graph_.chains[chain_of(d)].is_loop() ? none : d)) {
@@ -165,7 +166,7 @@ class Walk {
     return none;
   }
 
-  void add_stretch(Descriptor d, classics::Contours& contours) const {
+  void add_stretch(Descriptor d, window::Contours& contours) const {
     const Chain& chain = graph_.chains[chain_of(d)];
     if (is_backward(d))
       for (std::uint32_t v = chain.last; v > chain.first; --v) contours.add(graph_.point(v));

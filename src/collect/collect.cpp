@@ -10,7 +10,7 @@
 #include "noding/simple_ring.h"
 #include "plane/ring_tree.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Group;
@@ -232,4 +232,4 @@ Strands collect(const RegionView& a, const RegionView* b, const Options& options
   return strands;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -16,11 +16,11 @@
 #include "noding/resolve.h"
 #include "noding/strands.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// `b` may be null. `resolved_polygons` grows by those whose rings were found to meet. Throws Error: not_finite,
 /// out_of_domain, too_large, bad_offsets.
 noding::Strands collect(const RegionView& a, const RegionView* b, const Options& options, const Resolve& resolve,
                         std::uint64_t& resolved_polygons);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 #include "base/tuning.h"
 #include "plane/connected_boxes.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Strands;
@@ -128,4 +128,4 @@ Strands only_batch(Strands strands, const IndependentParts& parts, std::size_t b
   return strands;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -15,7 +15,7 @@
 #include "base/call_memory.h"
 #include "noding/strands.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 struct IndependentParts {
   Array<std::uint32_t> strands;  ///< batch by batch; of a batch in an order that keeps neighbours together
@@ -44,4 +44,4 @@ noding::Strands batch_of(const noding::Strands& strands, const IndependentParts&
 /// The same for the caller's own strands, which are moved together instead of copied, in the order in which they stand.
 noding::Strands only_batch(noding::Strands strands, const IndependentParts& parts, std::size_t batch);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -17,7 +17,7 @@
 
 #include "base/arithmetic.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 /// x + y == a + b exactly, x == round(a + b).
 inline void two_sum(double a, double b, double& x, double& y) {
@@ -143,4 +143,4 @@ Expansion<4 * N> operator*(const Expansion<N>& e, const Expansion<2>& f) {
   return (e * f.component[0]) + (e * f.component[1]);
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

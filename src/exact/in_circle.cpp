@@ -15,7 +15,7 @@
 #include "exact/expansion.h"
 #include "exact/wide_integer.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 namespace {
 
 using Difference = Expansion<2>;
@@ -109,4 +109,4 @@ int in_circle_exact(const Point& a, const Point& b, const Point& c, const Point&
   return sign_by_expansions(differences);
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 /// The sign by exact arithmetic; called when the filter cannot decide.
 int in_circle_exact(const Point& a, const Point& b, const Point& c, const Point& d);
@@ -51,4 +51,4 @@ inline int in_circle(const Point& a, const Point& b, const Point& c, const Point
   return in_circle_exact(a, b, c, d);
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

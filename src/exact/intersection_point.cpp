@@ -11,7 +11,7 @@
 
 #include "exact/expansion.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 namespace {
 
 /// A double-double.
@@ -157,4 +157,4 @@ Point intersection_point(const Point& a, const Point& b, const Point& c, const P
   return by_expansions(a, b, c, d);
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -3,7 +3,7 @@
 
 #include <oblast/point.h>
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 /// The point where the lines (a, b) and (c, d) meet, each coordinate the nearest double to the exact
 /// value, ties to even; a magnitude below the domain becomes 0 or domain_smallest, whichever is
@@ -12,4 +12,4 @@ namespace oblast::exact {
 /// REQUIRES: the edges meet in one point: orientation decides so before.
 Point intersection_point(const Point& a, const Point& b, const Point& c, const Point& d);
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -2,7 +2,7 @@
 
 #include "exact/expansion.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 int orientation_exact(const Point& a, const Point& b, const Point& c) {
   const Expansion<2> acx = difference(a.x, c.x), acy = difference(a.y, c.y);
@@ -10,4 +10,4 @@ int orientation_exact(const Point& a, const Point& b, const Point& c) {
   return (acx * bcy - acy * bcx).sign();
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -11,7 +11,7 @@
 
 #include "base/arithmetic.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 /// The sign by expansion arithmetic; called when the filter cannot decide.
 int orientation_exact(const Point& a, const Point& b, const Point& c);
@@ -36,4 +36,4 @@ inline int orientation(const Point& a, const Point& b, const Point& c) {
   return orientation_exact(a, b, c);
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 WideInteger WideInteger::scaled(double value, int shift) {
   WideInteger r;
@@ -98,4 +98,4 @@ WideInteger operator*(const WideInteger& p, const WideInteger& q) {
   return r;
 }
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 
 class WideInteger {
  public:
@@ -34,4 +34,4 @@ class WideInteger {
   bool negative_ = false;
 };
 
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -14,7 +14,7 @@
 
 #include "exact/orientation.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// True when the direction from x to p comes before the direction from x to q. REQUIRES: p, q != x.
 inline bool angularly_less(const Point& x, const Point& p, const Point& q) {
@@ -35,4 +35,4 @@ inline double rough_angle(const Point& x, const Point& p) {
 /// quotient and what is taken from 2 are rounded by 2^-53 of at most 3 each.
 inline constexpr double rough_angle_error = 0x1p-48;
 
-}  // namespace oblast
+}  // namespace oblast::internal

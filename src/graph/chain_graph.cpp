@@ -20,7 +20,7 @@
 #include "graph/angular_order.h"
 #include "plane/curve_order.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Strands;
@@ -375,4 +375,4 @@ ChainGraph build_chain_graph(Strands strands) {
   return graph;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

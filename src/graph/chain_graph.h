@@ -16,7 +16,7 @@
 #include "base/large_pages.h"
 #include "noding/strands.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 using noding::Winding;
 
@@ -93,4 +93,4 @@ struct ChainGraph {
 /// chain ends at nodes of degree d.
 ChainGraph build_chain_graph(noding::Strands strands);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -11,7 +11,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// A lexicographically monotone stretch of a chain, walked from its smaller end by a cursor.
@@ -202,4 +202,4 @@ Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t
   return answers;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

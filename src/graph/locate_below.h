@@ -14,7 +14,7 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// An edge from p to q, p lexicographically smaller, of a chain or just touching chains at p.
 struct BelowQuery {
@@ -34,4 +34,4 @@ struct Below {
 Array<Below> locate_below(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                           std::span<const BelowQuery> queries);
 
-}  // namespace oblast
+}  // namespace oblast::internal

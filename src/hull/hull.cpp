@@ -12,6 +12,7 @@
 #include "regions/validate.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 using exact::orientation;

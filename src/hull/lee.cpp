@@ -24,7 +24,7 @@
 #include "base/parallel.h"
 #include "exact/orientation.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// Walks a chain of a ring by its indices.
@@ -115,4 +115,4 @@ Array<Point> monotone_chain_hull(Array<Point>& points) {
   return hull;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

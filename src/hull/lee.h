@@ -7,7 +7,7 @@
 
 #include "base/call_memory.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// The hull's corners, counter-clockwise from the smallest vertex. `ring`: without repeated neighbours, at least three
 /// vertices; `direction`: 1 for a counter-clockwise ring, -1 for a clockwise one. The answer is the hull when the ring
@@ -17,4 +17,4 @@ Array<Point> lee_hull(std::span<const Point> ring, int direction);
 /// The hull of any points, counter-clockwise from the smallest (Andrew 1979). Sorts `points`. Cost: O(n log n).
 Array<Point> monotone_chain_hull(Array<Point>& points);
 
-}  // namespace oblast
+}  // namespace oblast::internal

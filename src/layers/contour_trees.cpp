@@ -7,7 +7,7 @@
 
 #include "base/index.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ ContourTree ContourTrees::operator[](std::size_t c) const {
           {nodes_.data() + e.first_node, 2 * std::size_t{e.leaf_count} - 1}};
 }
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

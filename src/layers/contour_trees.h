@@ -15,7 +15,7 @@
 #include "noding/simple_ring.h"
 #include "plane/box.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 
 /// One contour; a view. Edge e runs from vertex e to the next one.
 struct ContourTree {
@@ -63,4 +63,4 @@ class ContourTrees {
   Array<Entry> contours_;
 };
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

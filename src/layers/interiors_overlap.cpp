@@ -3,7 +3,7 @@
 
 #include "exact/orientation.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 namespace {
 
 using exact::orientation;
@@ -124,4 +124,4 @@ bool InteriorTest::inside(const Point& x, const ContourTree& contour) {
   return inside;
 }
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

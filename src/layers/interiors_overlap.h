@@ -18,7 +18,7 @@
 #include "base/call_memory.h"
 #include "layers/contour_trees.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 
 class InteriorTest {
  public:
@@ -35,4 +35,4 @@ class InteriorTest {
   Array<std::uint32_t> nodes_;                            ///< nodes to look into
 };
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

@@ -21,9 +21,8 @@
 #include "regions/validate.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
-
-using vatti::ContourTrees;
 
 class FirstFit {
  public:
@@ -59,7 +58,7 @@ class FirstFit {
   }
 
   void place(std::uint32_t contour) {
-    const vatti::ContourTree tree = contours_[contour];
+    const ContourTree tree = contours_[contour];
     const auto number = static_cast<std::uint32_t>(placed_.size());
     raster_.for_each_overlapping(tree.box(), [&](std::uint32_t other) {
       std::uint32_t& taken = taken_for_[result_.layer[placed_[other]]];
@@ -80,8 +79,8 @@ class FirstFit {
   const ContourTrees& contours_;
   LayerRule rule_;
   Charge charge_;  ///< for the result
-  vatti::RasterPyramid raster_;
-  vatti::InteriorTest test_;
+  RasterPyramid raster_;
+  InteriorTest test_;
   Array<std::uint32_t> placed_;     ///< contours in the raster, by their number there
   Array<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken
   Layers result_;

@@ -8,7 +8,7 @@
 
 #include "base/index.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -68,4 +68,4 @@ void RasterPyramid::insert(const Box& box) {
   cells_[cell].first_box = number;
 }
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

@@ -15,7 +15,7 @@
 #include "base/call_memory.h"
 #include "plane/box.h"
 
-namespace oblast::layers {
+namespace oblast::internal {
 
 /// The interiors of two boxes have a point in common.
 inline bool overlap(const Box& p, const Box& q) { return p.x0 < q.x1 && q.x0 < p.x1 && p.y0 < q.y1 && q.y0 < p.y1; }
@@ -64,4 +64,4 @@ class RasterPyramid {
   Array<std::uint32_t> pending_;
 };
 
-}  // namespace oblast::layers
+}  // namespace oblast::internal

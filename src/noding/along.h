@@ -3,7 +3,7 @@
 
 #include <oblast/point.h>
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// Whether p comes before q along an edge from a to b, for points in its box of which one is not above and the other
 /// beyond: by x, and by y where x is the same, each in the edge's own direction. Rounding is monotone, so cuts of an
@@ -22,4 +22,4 @@ class Along {
   bool rightward_, upward_;
 };
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -11,7 +11,7 @@
 #include "noding/along.h"
 #include "noding/monotone_runs.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 /// Sorts the cuts of one edge along it, and drops repeated ones. Rounding is monotone, so the order along the edge is
@@ -189,4 +189,4 @@ LargeArray<EdgeCut> arrange_cuts(const Strands& strands, std::span<const std::sp
   return Arrangement(strands, settling, clearance).run(blocks);
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -8,7 +8,7 @@
 #include "noding/meetings.h"
 #include "noding/strands.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// The cuts of all blocks, sorted by edge and along it, each once. With a `clearance` edges whose cuts are too near
 /// each other are flagged, and cuts at an end of their edge, which stand for common ends, dropped. Where the round
@@ -17,4 +17,4 @@ namespace oblast::noding {
 LargeArray<EdgeCut> arrange_cuts(const Strands& strands, std::span<const std::span<const EdgeCut>> blocks,
                                  Settling settling, Clearance* clearance);
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -9,7 +9,7 @@
 #include "exact/orientation.h"
 #include "plane/point_hash.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr std::size_t sample_size = tuning::cut_sample;
@@ -252,4 +252,4 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
   return best;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -10,7 +10,7 @@
 #include "base/call_memory.h"
 #include "noding/monotone_runs.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// A run, or a single edge, with the box of what of it is in the cell, wider by its margin. It is on every side of a
 /// cut that it, as wide as its margin, reaches.
@@ -69,4 +69,4 @@ CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, 
 /// An entry that, if it went through the cell along the axis, would reach about one of the `count` others in it.
 bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count);
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -8,7 +8,7 @@
 #include "base/tuning.h"
 #include "plane/largest_ulp.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 /// At most the distance of p from q, at least 0.7 times that.
@@ -67,4 +67,4 @@ void Clearance::look_along(std::size_t strand, std::span<const EdgeCut> cuts) {
   }
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -27,7 +27,7 @@
 
 #include "noding/meetings.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 class Clearance {
  public:
@@ -55,4 +55,4 @@ class Clearance {
   double distance_;
 };
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -6,7 +6,7 @@
 
 #include "base/tuning.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr std::int16_t below_all = std::numeric_limits<std::int16_t>::min(), lowest = below_all + 1,
@@ -69,4 +69,4 @@ void CoarseBoxes::assign(std::span<const Run> runs) {
   }
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -18,7 +18,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 class CoarseBoxes {
  public:
@@ -82,4 +82,4 @@ class CoarseBoxes {
   std::array<std::uint32_t, 1U << bucket_bits> past_{};  ///< by bucket: past its last box
 };
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -15,7 +15,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr auto kept_flags = static_cast<std::uint8_t>(~(moved_flag | near_flag));
@@ -182,4 +182,4 @@ void insert_cuts(Strands& strands, std::span<const EdgeCut> cuts) {
   strands.origin = std::move(cut.origin);
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -25,7 +25,7 @@
 #include "plane/largest_ulp.h"
 #include "plane/point_hash.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using exact::orientation;
@@ -436,4 +436,4 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
   return cuts;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

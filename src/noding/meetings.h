@@ -11,7 +11,7 @@
 #include "noding/monotone_runs.h"
 #include "noding/strands.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// Edge `edge` is to be cut at `at`, which is none of its ends and lies in its box.
 struct EdgeCut {
@@ -63,4 +63,4 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
                                   const std::function<void()>& checkpoint = {}, Clearance* clearance = nullptr,
                                   FirstFindings* first = nullptr);
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -11,7 +11,7 @@
 #include "base/tuning.h"
 #include "plane/point_hash.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
@@ -338,4 +338,4 @@ Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) 
   return result;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

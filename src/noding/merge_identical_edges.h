@@ -9,7 +9,7 @@
 #include "base/large_pages.h"
 #include "noding/strands.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// Edges with the same two ends, in either direction.
 struct IdenticalEdges {
@@ -37,4 +37,4 @@ inline Strands merge_identical_edges(Strands strands) {
   return merge_identical_edges(std::move(strands), identical);
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -10,7 +10,7 @@
 #include "base/tuning.h"
 #include "plane/largest_ulp.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr Group settled_group = 1;
@@ -150,4 +150,4 @@ LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const R
   return runs;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -13,7 +13,7 @@
 #include "noding/strands.h"
 #include "plane/box.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// Edges of a run at most.
 inline constexpr std::uint32_t longest_run = tuning::longest_run;
@@ -55,4 +55,4 @@ struct RunMargins {
 /// Cost: linear.
 LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const RunMargins& margins = {});
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -12,7 +12,7 @@
 #include "noding/meetings.h"
 #include "noding/monotone_runs.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 void flag_closed_strands(Strands& strands) {
@@ -105,4 +105,4 @@ Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint
   return strands;
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -11,7 +11,7 @@
 #include "noding/meetings.h"
 #include "noding/strands.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 struct NodingReport {
   explicit NodingReport(bool measured = true) : measures_displacement(measured) {}
@@ -33,4 +33,4 @@ using Checkpoint = std::function<void()>;
 /// makes the change and nodes again.
 Strands node(Strands strands, NodingReport& report, const Checkpoint& checkpoint = {});
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

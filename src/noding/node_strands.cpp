@@ -7,7 +7,7 @@
 #include "noding/resolve.h"
 #include "noding/simple_ring.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Simplicity;
@@ -61,4 +61,4 @@ Strands node_strands(Strands strands, noding::NodingReport& report, const Resolv
   }
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

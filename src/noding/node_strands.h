@@ -10,10 +10,10 @@
 #include "noding/node.h"
 #include "noding/resolve.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Settled strands of regions with identical edges merged. `resolved` grows by the contours that were resolved.
 noding::Strands node_strands(noding::Strands strands, noding::NodingReport& report, const Resolve& resolve,
                              std::uint64_t& resolved);
 
-}  // namespace oblast
+}  // namespace oblast::internal

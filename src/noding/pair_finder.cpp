@@ -11,7 +11,7 @@
 #include "noding/cell_cut.h"
 #include "noding/coarse_boxes.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 constexpr std::size_t leaf_size = runs_of_one_cell;
@@ -292,4 +292,4 @@ void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairV
   Finder(points, visit, goal, unsure).run(std::move(runs));
 }
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

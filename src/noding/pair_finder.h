@@ -20,7 +20,7 @@
 #include "base/tuning.h"
 #include "noding/monotone_runs.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// Edges [first_p, last_p) against edges [first_q, last_q): runs whose boxes meet.
 struct RunPair {
@@ -56,4 +56,4 @@ using UnsureEdge = std::function<void(std::uint32_t)>;
 void find_pairs(std::span<const Point> points, LargeArray<Run> runs, const PairVisitor& visit,
                 PairGoal goal = PairGoal::meetings, const UnsureEdge& unsure = {});
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

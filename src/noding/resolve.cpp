@@ -4,7 +4,7 @@
 
 #include "base/call.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 using noding::Strands;
 
@@ -43,4 +43,4 @@ Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tang
   return result;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

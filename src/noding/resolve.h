@@ -11,7 +11,7 @@
 #include "base/memory_budget.h"
 #include "noding/strands.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// The region that the rings of one polygon bound.
 struct Resolved {
@@ -31,4 +31,4 @@ bool append_resolved(const Resolved& resolved, noding::Winding winding, noding::
 noding::Strands resolve_tangled(const noding::Strands& strands, const Array<std::uint32_t>& tangled,
                                 const Resolve& resolve);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -11,7 +11,7 @@
 #include "noding/strands.h"
 #include "plane/smallest_vertex.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using exact::orientation;
@@ -75,4 +75,4 @@ RingShape ring_shape(std::span<const Point> ring) {
   return turn > 0 ? RingShape::counter_clockwise : RingShape::clockwise;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

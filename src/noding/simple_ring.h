@@ -8,7 +8,7 @@
 
 #include "plane/ring_tree.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// What a ring is, judged exactly.
 enum class RingShape {
@@ -32,4 +32,4 @@ int convex_turn(std::span<const Point> ring);
 /// The turn at the smallest vertex, which gives the direction of a simple ring.
 int turn_at_smallest(std::span<const Point> ring);
 
-}  // namespace oblast
+}  // namespace oblast::internal

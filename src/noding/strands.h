@@ -18,7 +18,7 @@
 #include "base/index.h"
 #include "base/large_pages.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 
 /// How much the winding numbers of A and B grow when an edge, seen along its direction, is crossed from
 /// its right to its left.
@@ -107,4 +107,4 @@ struct Strands {
   }
 };
 
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

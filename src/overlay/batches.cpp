@@ -11,7 +11,7 @@
 #include "collect/independent_parts.h"
 #include "result/assemble.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// What parts did side by side, each stage with its share of the time that passed.
@@ -115,4 +115,4 @@ PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& s
   return overlay_strands(std::move(strands), statistics);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

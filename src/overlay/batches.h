@@ -6,7 +6,7 @@
 #include "noding/strands.h"
 #include "overlay/pipeline.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Stages 2 to 6 on some of the strands.
 using OverlayStrands = std::function<PipelineResult(noding::Strands batch, Statistics& statistics)>;
@@ -15,4 +15,4 @@ using OverlayStrands = std::function<PipelineResult(noding::Strands batch, Stati
 PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics,
                           const OverlayStrands& overlay_strands);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -10,6 +10,7 @@
 #include "window/fast_path.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 void report(const RegionView& a, const RegionView* b, const RegionSet& result, Statistics& statistics) {

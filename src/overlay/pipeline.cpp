@@ -18,7 +18,7 @@
 #include "result/rings.h"
 #include "result/select.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 void report(const noding::NodingReport& noding, const ChainGraph& graph, Statistics& statistics) {
@@ -116,4 +116,4 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job&
   });
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 #include "base/stage_clock.h"
 #include "noding/resolve.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// What one run of the pipeline is asked for.
 struct Job {
@@ -29,4 +29,4 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job&
 /// A polygon by itself: the whole pipeline under even_odd. For as long as `control` lives.
 Resolve resolve_by_pipeline(Control& control);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,7 +9,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace oblast {
+namespace oblast::internal {
 
 struct Box {
   double x0, y0, x1, y1;
@@ -41,4 +41,4 @@ inline unsigned heading(const Point& p, const Point& q) {
 #endif
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -4,7 +4,7 @@
 
 #include "plane/curve_order.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -45,4 +45,4 @@ void BoxTree::replace(std::uint32_t i, const Box& box) {
 
 void BoxTree::remove(std::uint32_t i) { boxes_[place_[i]] = no_box; }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Boxes along a space-filling curve by their middles, a few to a node, level upon level.
 class BoxTree {
@@ -49,4 +49,4 @@ class BoxTree {
   Array<std::size_t> begins_;        ///< by level, and past the last one
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -12,7 +12,7 @@
 #include "base/tuning.h"
 #include "plane/curve_order.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 constexpr std::size_t boxes_a_task = tuning::boxes_a_task;
@@ -144,4 +144,4 @@ ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   return connected;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

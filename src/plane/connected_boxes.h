@@ -6,7 +6,7 @@
 #include "base/large_pages.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 struct ConnectedBoxes {
   LargeArray<std::uint32_t> order;      ///< the boxes by their middles along a curve, so that neighbours stay together
@@ -17,4 +17,4 @@ struct ConnectedBoxes {
 /// only those are that must be. The same on any number of cores. Cost: O(n log n); memory O(n).
 ConnectedBoxes connected_boxes(LargeArray<Box> boxes);
 
-}  // namespace oblast
+}  // namespace oblast::internal

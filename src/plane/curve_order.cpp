@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 // The curve in its four orientations. Quadrants are numbered 2 x + y.
@@ -216,4 +216,4 @@ LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
   return order;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

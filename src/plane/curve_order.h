@@ -9,7 +9,7 @@
 #include "base/large_pages.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// A point's index, and its cell's place on the curve.
 struct Keyed {
@@ -26,4 +26,4 @@ LargeArray<Keyed> curve_order(std::span<const Point> points);
 /// The indices of the boxes by their middles along the curve.
 LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -11,7 +11,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Bit k: the box of the edge (points[first + k], points[first + k + 1]) meets `box`. Without a branch: the outcome is
 /// hard to foresee. REQUIRES: at most 32 edges.
@@ -34,4 +34,4 @@ inline std::uint32_t edges_in(const Box& box, const Point* points, std::uint32_t
   return found;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 #include "base/call_memory.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// A grid of about one cell a point, and the points by cell.
@@ -79,4 +79,4 @@ Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> poin
   return found;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -10,7 +10,7 @@
 #include "base/call_memory.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 struct Enclosure {
   Array<std::uint8_t> encloses;  ///< by box: it holds the point of another (or it is not known)
@@ -20,4 +20,4 @@ struct Enclosure {
 /// REQUIRES: points[i] in boxes[i]. Cost: O(n).
 Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points);
 
-}  // namespace oblast
+}  // namespace oblast::internal

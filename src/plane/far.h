@@ -3,7 +3,7 @@
 
 #include <oblast/point.h>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// The gap that everything must keep from what was rounded, for coordinates up to `largest` in magnitude.
 constexpr double clearance_gap(double largest) { return largest * 0x1p-46; }
@@ -20,4 +20,4 @@ inline bool is_far(const Point& p, const Point& a, const Point& b, double gap) {
   return cross * cross > gap * gap * square;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

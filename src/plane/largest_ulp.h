@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace oblast {
+namespace oblast::internal {
 
 inline double largest_coordinate(std::span<const Point> points) {
   double largest = 0;
@@ -29,4 +29,4 @@ inline double ulp_of(double coordinate) {
   return std::max(std::bit_cast<double>(bits & exponent_bits) * 0x1p-52, domain_smallest);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// A mixing step after splitmix64 (Steele, Lea and Flood 2014).
 constexpr std::uint64_t mix(std::uint64_t z) {
@@ -22,4 +22,4 @@ inline std::uint64_t hash(const Point& p) {
   return static_cast<std::uint64_t>(product >> 64) ^ static_cast<std::uint64_t>(product);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

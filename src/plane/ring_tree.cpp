@@ -11,7 +11,7 @@
 #include "exact/orientation.h"
 #include "plane/edges_in.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using exact::orientation;
@@ -222,4 +222,4 @@ bool RingTree::left_crossings_are_odd(std::uint32_t leaf, const Point& p) const 
   return odd;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -20,7 +20,7 @@
 #include "base/call_memory.h"
 #include "plane/box.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 class RingTree {
  public:
@@ -71,4 +71,4 @@ class RingTree {
   Array<std::size_t> level_begins_;    ///< boxes may be twice as many as vertices
 };
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t begin, std::size_t end) {
@@ -52,4 +52,4 @@ SmallestVertex smallest_vertex(std::span<const Point> ring) {
   return smallest;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace oblast {
+namespace oblast::internal {
 
 struct SmallestVertex {
   std::uint32_t vertex;
@@ -17,4 +17,4 @@ struct SmallestVertex {
 /// all cores where they are many.
 SmallestVertex smallest_vertex(std::span<const Point> ring);
 
-}  // namespace oblast
+}  // namespace oblast::internal

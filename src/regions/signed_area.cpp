@@ -4,6 +4,7 @@
 #include "regions/validate.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 double area_of(const RegionView& regions) {

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 void check_offsets(const RegionView& v, std::size_t operand) {
@@ -73,4 +73,4 @@ void validate(std::span<const Point> contour) {
   if (bad < contour.size()) throw_at(contour[bad], {0, 0, 0, bad});
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Throws Error: bad_offsets, too_large, not_finite, out_of_domain. Cost: linear.
 void validate(const RegionView& operand, std::size_t operand_index);
@@ -15,4 +15,4 @@ void validate(const RegionView& operand, std::size_t operand_index);
 /// The points of one contour. Throws Error: not_finite, out_of_domain, with the vertex. Cost: linear.
 void validate(std::span<const Point> contour);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "plane/smallest_vertex.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// A ring read from a chosen vertex.
@@ -177,4 +177,4 @@ RegionSet join(Array<RegionSet> parts) {
   return result;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

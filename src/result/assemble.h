@@ -6,7 +6,7 @@
 #include "base/call_memory.h"
 #include "result/nesting.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Each contour from its smallest vertex (of several rotations the one whose sequence is smallest), the
 /// outer contour first, holes and polygons in the order of their sequences. Cost: O(n + z log z).
@@ -16,4 +16,4 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting);
 /// p polygons.
 RegionSet join(Array<RegionSet> parts);
 
-}  // namespace oblast
+}  // namespace oblast::internal

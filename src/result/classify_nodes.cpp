@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "result/rings.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// Without branches: chains come node by node, so each condition is hard to foresee.
@@ -108,4 +108,4 @@ NodeKinds classify_nodes(const ChainGraph& graph, const Selection& selection) {
   return TraceFinder(graph, selection).run();
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// Of a chain whose walk is known to leave the range of nodes it was begun in.
@@ -218,4 +218,4 @@ LinkedContours link(const ChainGraph& graph, const Selection& selection, Contour
   return Linker(graph, selection, convention).run();
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -18,7 +18,7 @@
 #include "base/call_memory.h"
 #include "result/select.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Contours as sequences of descriptors, and the walk each was parted from.
 struct LinkedContours {
@@ -37,4 +37,4 @@ struct LinkedContours {
 /// Every selected chain is in just one contour. Cost: linear in the chains and the list lengths.
 LinkedContours link(const ChainGraph& graph, const Selection& selection, ContourConvention convention);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,7 +9,7 @@
 #include "graph/locate_below.h"
 #include "plane/smallest_vertex.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// The smallest vertex of a ring and the edge by which the ring arrives there.
@@ -84,4 +84,4 @@ Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedCo
   return nesting;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -11,7 +11,7 @@
 #include "base/call_memory.h"
 #include "result/rings.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 struct Nesting {
   Array<std::uint32_t> polygon;  ///< by ring
@@ -22,4 +22,4 @@ struct Nesting {
 /// REQUIRES: `rings` are the contours of `linked`, in its order, with all their vertices.
 Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked, const Rings& rings);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -12,7 +12,7 @@
 #include "result/retry_traces.h"
 #include "result/trace_spans.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// Two points, the smaller one first.
@@ -102,4 +102,4 @@ Rings remove_traces(Rings rings, CollinearVertices collinear) {
   return collinear == CollinearVertices::drop ? drop_collinear(rings) : std::move(rings);
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -5,10 +5,10 @@
 
 #include "result/rings.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Takes out every trace vertex that may go (promise G3a, trace_spans.h), and, under CollinearVertices::drop, exactly
 /// collinear ones. Cost: O((n + k) log n), where k vertices lie near edges that had traces; linear if there are none.
 Rings remove_traces(Rings rings, CollinearVertices collinear);
 
-}  // namespace oblast
+}  // namespace oblast::internal

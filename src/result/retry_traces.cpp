@@ -10,7 +10,7 @@
 #include "noding/along.h"
 #include "noding/monotone_runs.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 class Retry {
@@ -221,4 +221,4 @@ void retry_traces(const TraceSpans& spans, const Array<bool>& refused, const Arr
   if (std::find(refused.begin(), refused.end(), true) != refused.end()) Retry(spans, refused, near, gone).run();
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -4,7 +4,7 @@
 #include "base/call_memory.h"
 #include "result/trace_spans.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// Takes trace vertices of the refused spans out one by one, until none can go: the one with the shortest edge in its
 /// place first, of equal ones the lexicographically smallest. `near` is of find_near_vertices(); `gone`, by vertex,
@@ -13,4 +13,4 @@ namespace oblast {
 void retry_traces(const TraceSpans& spans, const Array<bool>& refused, const Array<NearVertex>& near,
                   Array<bool>& gone);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// Writes the vertices of a chain, all but the last, to points and flags from `vertex` on.
@@ -64,4 +64,4 @@ Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, con
   return rings;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

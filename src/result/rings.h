@@ -8,7 +8,7 @@
 #include "base/large_pages.h"
 #include "result/link.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// What is known of a vertex of the result; a set of bits.
 enum RingVertex : std::uint8_t {
@@ -89,4 +89,4 @@ void add_trace_edges(const NodeKinds& kinds, const NodeOf& node_of, Rings& rings
 /// The points of every contour, with what the graph knows of them. Cost: linear.
 Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);
 
-}  // namespace oblast
+}  // namespace oblast::internal

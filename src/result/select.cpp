@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
                  const Options& options) {
@@ -25,4 +25,4 @@ Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Oper
   return selection;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

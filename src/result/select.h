@@ -6,7 +6,7 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 /// A chain of the result as the descriptor that has the result on its left, or `none`.
 using Selection = LargeArray<Descriptor>;
@@ -49,4 +49,4 @@ constexpr bool admits(Operation operation, bool in_a, bool in_b) {
 Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
                  const Options& options);
 
-}  // namespace oblast
+}  // namespace oblast::internal

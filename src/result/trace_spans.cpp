@@ -11,7 +11,7 @@
 #include "noding/pair_finder.h"
 #include "plane/smallest_vertex.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Along;
@@ -234,4 +234,4 @@ bool is_between(const Point& a, const Point& b, const Point& u, const Point& w, 
   return side == 0 || exact::orientation(u, w, p) != side;
 }
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -19,7 +19,7 @@
 #include "base/call_memory.h"
 #include "result/rings.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 struct TraceSpan {
   std::uint32_t ring;
@@ -70,4 +70,4 @@ Array<NearVertex> find_near_vertices(const TraceSpans& spans);
 /// beside p. REQUIRES: p is in the box of the chain, and no vertex of it.
 bool is_between(const Point& a, const Point& b, const Point& u, const Point& w, const Point& p);
 
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 #include "triangulation/flip.h"
 #include "triangulation/pocket.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 class Constraining {
@@ -149,4 +149,4 @@ Array<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints) {
   return Constraining(mesh, constraints).run();
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

@@ -10,7 +10,7 @@
 #include "base/call_memory.h"
 #include "triangulation/mesh.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 /// A side from one vertex to another, by vertices of the mesh.
 struct Constraint {
@@ -24,4 +24,4 @@ struct Constraint {
 /// the sides they cross, and the flips, which on average are about as many.
 Array<HalfEdge> constrain(Mesh& mesh, std::span<const Constraint> constraints);
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

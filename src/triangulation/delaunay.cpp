@@ -11,7 +11,7 @@
 #include "triangulation/locate.h"
 #include "triangulation/spatial_order.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 using exact::in_circle;
@@ -233,4 +233,4 @@ Mesh delaunay(std::span<const Point> points) {
   return Insertion(points).run();
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

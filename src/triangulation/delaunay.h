@@ -12,11 +12,11 @@
 
 #include "triangulation/mesh.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 /// Any two, one or no points, and points all collinear, give a mesh without triangles (vertex_of is filled).
 /// Of cocircular points some triangulation, always the same for the same input. REQUIRES: coordinates
 /// in the domain, fewer than 2^29 points. Cost: O(n) on average, once sorted; memory 64 bytes a point.
 Mesh delaunay(std::span<const Point> points);
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

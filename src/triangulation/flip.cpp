@@ -3,7 +3,7 @@
 #include "base/call_memory.h"
 #include "exact/in_circle.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 bool is_illegal(const Mesh& mesh, HalfEdge h) {
@@ -61,4 +61,4 @@ void make_delaunay(Mesh& mesh, Array<HalfEdge>& leaving, Array<HalfEdge>& suspec
   }
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

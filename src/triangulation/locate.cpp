@@ -2,7 +2,7 @@
 
 #include "exact/orientation.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 using exact::orientation;
@@ -48,4 +48,4 @@ Place locate(const Mesh& mesh, std::uint32_t start, const Point& p) {
   }
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

@@ -3,7 +3,7 @@
 
 #include "triangulation/mesh.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 /// Where a point lies: strictly inside a triangle (for a ghost: strictly beyond its hull side), on a side,
 /// or at a vertex.
@@ -19,4 +19,4 @@ struct Place {
 /// Cost: linear in the triangles walked through.
 Place locate(const Mesh& mesh, std::uint32_t start, const Point& p);
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

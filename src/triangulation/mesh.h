@@ -17,7 +17,7 @@
 
 #include "base/call_memory.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 inline constexpr std::uint32_t infinite_vertex = 0xffffffff;
 inline constexpr std::uint32_t no_index = 0xffffffff;
@@ -65,4 +65,4 @@ struct Mesh {
   void set_constrained(HalfEdge h) { triangles[triangle_of(h)].constrained |= 1U << side_of(h); }
 };
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

@@ -6,7 +6,7 @@
 #include "base/call_memory.h"
 #include "exact/orientation.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 constexpr std::uint32_t taken_out = 1;  // Triangle::mark
@@ -100,4 +100,4 @@ HalfEdge Pocket::fill(Array<HalfEdge>& new_sides) {
   return forward;
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

@@ -12,7 +12,7 @@
 #include "base/call_memory.h"
 #include "triangulation/mesh.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 class Pocket {
  public:
@@ -54,4 +54,4 @@ class Pocket {
   Border right_border_, left_border_, stack_;  ///< borders are counter-clockwise around their pocket
 };
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

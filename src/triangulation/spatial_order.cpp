@@ -9,7 +9,7 @@
 #include "base/tuning.h"
 #include "plane/curve_order.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 namespace {
 
 /// The finaliser of SplitMix64 (Steele, Lea and Flood 2014).
@@ -37,4 +37,4 @@ Array<std::uint32_t> spatial_order(std::span<const Point> points) {
   return order;
 }
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

@@ -13,11 +13,11 @@
 
 #include "base/call_memory.h"
 
-namespace oblast::triangulation {
+namespace oblast::internal::triangulation {
 
 /// A permutation of the indices of `points`. The curve adapts: where many points fall in one of its 2^32
 /// cells, it goes on inside that cell's box. Cost: O(n), for coordinates of like magnitude; each factor of
 /// 2^16 in scale between nested clusters adds one more pass over the inner one.
 Array<std::uint32_t> spatial_order(std::span<const Point> points);
 
-}  // namespace oblast::triangulation
+}  // namespace oblast::internal::triangulation

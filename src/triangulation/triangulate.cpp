@@ -13,6 +13,7 @@
 #include "triangulation/delaunay.h"
 
 namespace oblast {
+using namespace internal;
 namespace {
 
 using namespace triangulation;

@@ -13,7 +13,7 @@
 #include "result/nesting.h"
 #include "result/rings.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 namespace {
 
 /// Flags every vertex whose point occurs more than once.
@@ -110,4 +110,4 @@ std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   return assembled(contours);
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

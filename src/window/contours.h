@@ -8,7 +8,7 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 /// Closed walks along the boundary of a result.
 class Contours {
@@ -34,4 +34,4 @@ class Contours {
   Array<std::uint32_t> ends_;
 };
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

@@ -6,7 +6,7 @@
 #include "base/block_resource.h"
 #include "window/window_clip.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 namespace {
 
 /// What differs from the defaults is left to the pipeline; so are statistics and progress, which tell of its stages.
@@ -39,4 +39,4 @@ std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, 
   return WindowClip(subject, kind, *window, &memory).run(operation);
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

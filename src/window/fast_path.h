@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 /// The result of `overlay`, byte for byte, where the operands have a form that is recognised at small cost and in
 /// general position (window_clip.h): any subject and a convex window of at most 64 sides, intersection; two such
@@ -15,4 +15,4 @@ namespace oblast::window {
 std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, Operation operation,
                                       const Options& options);
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

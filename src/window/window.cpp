@@ -5,7 +5,7 @@
 #include "exact/orientation.h"
 #include "noding/simple_ring.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 using exact::orientation;
 
@@ -50,4 +50,4 @@ bool Window::contains(const Point& p) const {
   return true;
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

@@ -12,7 +12,7 @@
 #include "base/tuning.h"
 #include "plane/box.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 /// Corners counter-clockwise from the lexicographically smallest one, straight ones included. Sides 0 to
 /// largest - 1 are the lower chain, which runs to the right; the others are the upper one, which runs back.
@@ -74,4 +74,4 @@ class Window {
 /// The contour without points at its end that repeat its first one.
 std::span<const Point> without_closing_point(std::span<const Point> contour);
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

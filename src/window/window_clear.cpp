@@ -7,7 +7,7 @@
 #include "plane/far.h"
 #include "window/window_clip.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 using exact::orientation;
 
@@ -118,4 +118,4 @@ bool WindowClip::near_pairs_are_clear() const {
   return true;
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

@@ -28,7 +28,7 @@
 #include "base/tuning.h"
 #include "window/window.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 /// What is known of the subject: a convex contour needs no look at its own edges.
 enum class SubjectKind { any, convex };
@@ -51,7 +51,6 @@ class WindowClip {
   std::size_t crossing_count() const { return crossings_.size(); }
 
  private:
-  using Box = Box;
   using Index = std::uint32_t;
 
   struct Ring {
@@ -129,4 +128,4 @@ class WindowClip {
   std::pmr::vector<Index> perimeter_;     ///< crossings in their order along the perimeter
 };
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

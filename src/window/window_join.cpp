@@ -10,7 +10,7 @@
 #include "window/contours.h"
 #include "window/window_clip.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 std::optional<RegionSet> WindowClip::run(Operation operation) {
   measure();
@@ -203,4 +203,4 @@ void WindowClip::add_window(bool counter_clockwise, RegionSet& result) const {
   result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

@@ -8,7 +8,7 @@
 #include "plane/far.h"
 #include "window/window_clip.h"
 
-namespace oblast::window {
+namespace oblast::internal::window {
 
 using exact::orientation;
 
@@ -177,4 +177,4 @@ bool WindowClip::is_clear_at(const Point& x, Index side, const Ring& ring, Index
   return is_far(x, ring.from(before), ring.to(before), gap_) && is_far(x, ring.from(after), ring.to(after), gap_);
 }
 
-}  // namespace oblast::window
+}  // namespace oblast::internal::window

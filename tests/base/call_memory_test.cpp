@@ -11,7 +11,7 @@
 #include "base/tuning.h"
 #include "generators/random.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::Random;
@@ -124,4 +124,4 @@ TEST(CallMemory, aCallMayMakeOthersFromItsProgress) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

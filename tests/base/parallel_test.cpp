@@ -15,7 +15,7 @@
 
 #include "generators/random.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 /// What no library throws.
@@ -238,4 +238,4 @@ TEST(Parallel, perThreadObjectsAreNotShared) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -6,7 +6,7 @@
 
 #include "generators/hostile.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 struct Asked {
@@ -57,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, Progresses, ::testing::ValuesIn(engines),
                          [](const auto& tested) { return engine_names[static_cast<int>(tested.param)]; });
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

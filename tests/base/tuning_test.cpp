@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace oblast::tuning {
+namespace oblast::internal::tuning {
 namespace {
 
 TEST(Tuning, drawsLieBetweenTheTwo) {
@@ -54,4 +54,4 @@ TEST(Tuning, settingsAreWhatTheyAreCalled) {
 }
 
 }  // namespace
-}  // namespace oblast::tuning
+}  // namespace oblast::internal::tuning

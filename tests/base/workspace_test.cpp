@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "generators/hostile.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 RegionSet overlay_in(Workspace* workspace, const generators::Operands& operands, int threads = 1) {
@@ -133,4 +133,4 @@ TEST(KeptBlocks, theOldestGoFirst) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

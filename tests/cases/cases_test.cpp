@@ -34,7 +34,7 @@
 #include "generators/wkt.h"
 #include "verify/against.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 namespace fs = std::filesystem;
@@ -257,4 +257,4 @@ TEST_P(Operands, keepEveryPromise) {
 INSTANTIATE_TEST_SUITE_P(Topology, Operands, testing::ValuesIn(case_files(".wkt")), test_name);
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

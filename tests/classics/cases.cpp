@@ -10,6 +10,7 @@
 #include "verify/slabs.h"
 
 namespace oblast::tests {
+using namespace internal;
 namespace {
 
 Operation draw_operation(Random& random) {

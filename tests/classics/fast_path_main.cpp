@@ -20,6 +20,7 @@
 namespace {
 
 using namespace oblast;
+using namespace oblast::internal;
 using namespace oblast::tests;
 
 double seconds = 0.3;

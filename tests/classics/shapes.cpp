@@ -6,6 +6,7 @@
 #include "exact/orientation.h"
 
 namespace oblast::tests {
+using namespace internal;
 namespace {
 
 using exact::orientation;

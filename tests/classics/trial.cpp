@@ -7,6 +7,7 @@
 #include "window/fast_path.h"
 
 namespace oblast::tests {
+using namespace internal;
 
 const char* name_of(ClassicMethod method) {
   switch (method) {

@@ -9,7 +9,7 @@
 #include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Strands;
@@ -182,4 +182,4 @@ TEST(RingShape, ofLargeRingsIsThatOfSmallOnes) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -12,7 +12,7 @@
 #include "noding/monotone_runs.h"
 #include "support/strands_of.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::Random;
@@ -234,4 +234,4 @@ TEST(IndependentParts, aBatchMovedTogetherIsTheOneCopied) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -12,7 +12,7 @@
 #include "generators/random.h"
 #include "generators/soup.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::add_polygon;
@@ -74,4 +74,4 @@ TEST(RelativeLabels, manyComponentsLieInAndAroundEachOther) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

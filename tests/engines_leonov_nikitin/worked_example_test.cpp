@@ -18,7 +18,7 @@
 #include "engines_vatti/noded_graph.h"
 #include "result/select.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using namespace leonov_nikitin;
@@ -156,4 +156,4 @@ INSTANTIATE_TEST_SUITE_P(All, EnginesOnWorkedExample,
                          testing::Values(Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov), engine_name);
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -10,6 +10,7 @@
 #include "overlay/pipeline.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 inline ChainGraph arrangement_of(const generators::Operands& operands, const Options& options) {
   Control control(options);

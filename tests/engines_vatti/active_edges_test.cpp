@@ -7,7 +7,7 @@
 
 #include "generators/random.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 namespace {
 
 /// A horizontal edge from x = 0 to x = 1, all vertices of which are known.
@@ -72,4 +72,4 @@ TEST(ActiveEdges, sortedInsertionsStayQuick) {
 }
 
 }  // namespace
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

@@ -9,7 +9,7 @@
 #include "generators/random.h"
 #include "generators/soup.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using namespace generators;
@@ -115,4 +115,4 @@ TEST(Label, deepNestingNeedsNoDeepStack) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,6 +9,7 @@
 #include "overlay/pipeline.h"
 
 namespace oblast {
+using namespace internal;
 
 /// `b` may be null.
 inline ChainGraph noded_graph(const RegionView& a, const RegionSet* b, const FillRule& rule) {

@@ -14,7 +14,7 @@
 #include "noding/monotone_runs.h"
 #include "support/usual_tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using namespace generators;
@@ -98,4 +98,4 @@ TEST(Passive, noBoxOfAPassiveContourMeetsAnother) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -7,7 +7,7 @@
 
 #include "generators/random.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 namespace {
 
 using generators::Random;
@@ -104,4 +104,4 @@ TEST(Expansion, zeroHasNoComponents) {
 }
 
 }  // namespace
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

@@ -14,6 +14,7 @@
 #include "support/exact_signs.h"
 
 namespace oblast::testing {
+using namespace internal;
 namespace {
 
 using exact::intersection_point;

@@ -9,6 +9,7 @@
 #include "support/exact_signs.h"
 
 namespace oblast::testing {
+using namespace internal;
 namespace {
 
 using exact::orientation;

@@ -8,7 +8,7 @@
 
 #include "generators/random.h"
 
-namespace oblast::exact {
+namespace oblast::internal::exact {
 namespace {
 
 using generators::Random;
@@ -57,4 +57,4 @@ TEST(WideInteger, sumsDifferencesAndProductsAreExact) {
 }
 
 }  // namespace
-}  // namespace oblast::exact
+}  // namespace oblast::internal::exact

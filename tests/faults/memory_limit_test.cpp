@@ -15,6 +15,7 @@
 #include "support/public_functions.h"
 
 namespace oblast::testing {
+using namespace internal;
 namespace {
 
 /// What the function returned; nothing where it came to the limit.

@@ -6,6 +6,7 @@
 #include "exact/expansion.h"
 
 namespace oblast::generators {
+using namespace internal;
 namespace {
 
 using exact::fast_two_sum, exact::two_product, exact::two_sum;

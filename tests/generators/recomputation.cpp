@@ -9,6 +9,7 @@
 #include "verify/arrangement.h"
 
 namespace oblast::generators {
+using namespace internal;
 namespace {
 
 using verify::NodedArrangement;

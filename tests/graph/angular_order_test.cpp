@@ -8,7 +8,7 @@
 
 #include "generators/random.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::Random;
@@ -56,4 +56,4 @@ TEST(AngularOrder, roughAnglesTellTheSameWhereTheyAreClear) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,6 +8,7 @@
 #include "noding/simple_ring.h"
 
 namespace oblast::tests {
+using namespace internal;
 
 std::vector<Point> chain_hull(const std::vector<Point>& points) {
   Array<Point> sorted(points.begin(), points.end());

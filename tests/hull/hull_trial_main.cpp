@@ -17,6 +17,7 @@
 namespace {
 
 using namespace oblast;
+using namespace oblast::internal;
 using namespace oblast::tests;
 
 bool trial(long polygons, std::uint64_t seed) {

@@ -8,6 +8,7 @@
 #include "exact/orientation.h"
 
 namespace oblast::tests {
+using namespace internal;
 namespace {
 
 constexpr double pi = std::numbers::pi;

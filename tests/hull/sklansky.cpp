@@ -5,6 +5,7 @@
 #include "exact/orientation.h"
 
 namespace oblast::tests {
+using namespace internal;
 
 // From a vertex known to be a corner, go round; wherever the last three vertices do not turn left, drop the middle one
 // and look at the one before again.

@@ -9,7 +9,7 @@
 #include "generators/random.h"
 #include "generators/soup.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using namespace generators;
@@ -169,4 +169,4 @@ TEST(Layers, areFirstFitOnRandomContours) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

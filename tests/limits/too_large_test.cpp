@@ -13,7 +13,7 @@
 #include "base/index.h"
 #include "support/reserved_points.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 template <class Call>
@@ -101,4 +101,4 @@ TEST(CheckedIndex, takesTheLimitAndRefusesOneMore) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

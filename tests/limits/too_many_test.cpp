@@ -13,7 +13,7 @@
 #include "noding/merge_identical_edges.h"
 #include "result/assemble.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Strands;
@@ -174,4 +174,4 @@ TEST_F(TooMany, crossingsOfTwoCombs) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

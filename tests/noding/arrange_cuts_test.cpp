@@ -10,7 +10,7 @@
 #include "generators/random.h"
 #include "support/strands_of.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using generators::Random;
@@ -93,4 +93,4 @@ TEST(ArrangeCuts, sortsAlongEveryEdge) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -11,7 +11,7 @@
 #include "support/strands_of.h"
 #include "support/usual_tuning.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using generators::Random;
@@ -92,4 +92,4 @@ TEST(Clearance, flagsEdgesThatComeNear) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

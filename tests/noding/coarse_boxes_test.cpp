@@ -9,7 +9,7 @@
 
 #include "generators/random.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using generators::Random;
@@ -94,4 +94,4 @@ TEST(CoarseBoxes, atTheEndsOfTheDomain) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

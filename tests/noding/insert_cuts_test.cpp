@@ -9,7 +9,7 @@
 #include "generators/random.h"
 #include "support/strands_of.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using testing::strands_of;
@@ -90,4 +90,4 @@ TEST(InsertCuts, withoutCutsChangesNoPoint) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -9,7 +9,7 @@
 #include "support/strands_of.h"
 #include "verify/rational.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using generators::Random;
@@ -204,4 +204,4 @@ TEST(Meetings, aThrowingCheckpointEndsTheSearch) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -9,7 +9,7 @@
 #include "generators/random.h"
 #include "support/strands_of.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using testing::box;
@@ -143,4 +143,4 @@ TEST(MergeIdenticalEdges, ofManyEdgesNoneRepeated) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -7,7 +7,7 @@
 #include "support/strands_of.h"
 #include "support/usual_tuning.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using testing::closed;
@@ -115,4 +115,4 @@ TEST(MonotoneRuns, partPiecesThatMovedFromSettledOnes) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -10,7 +10,7 @@
 #include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using noding::Strands;
@@ -103,4 +103,4 @@ TEST(NodeStrands, aRingThatTouchesItselfInTheMiddleOfAFanIsResolved) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

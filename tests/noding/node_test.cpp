@@ -15,7 +15,7 @@
 #include "support/strands_of.h"
 #include "verify/predicates.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using testing::closed;
@@ -242,4 +242,4 @@ TEST(Node, aThrowingCheckpointCancels) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -11,7 +11,7 @@
 #include "support/strands_of.h"
 #include "verify/predicates.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using generators::Random;
@@ -290,4 +290,4 @@ TEST(PairFinder, passesOverPairsOfOneGroup) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -17,7 +17,7 @@
 #include "verify/edges.h"
 #include "verify/rational.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using testing::edges_of;
@@ -91,4 +91,4 @@ TEST(Rounds, cutWhereThereIsAVertexOrARoundedIntersection) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

@@ -12,7 +12,7 @@
 #include "generators/random.h"
 #include "overlay/pipeline.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using Contour = std::vector<Point>;
@@ -118,4 +118,4 @@ TEST(Clusters, aCancelledOverlayOfPartsLeavesTheNextOneAlone) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -8,7 +8,7 @@
 
 #include "generators/random.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 TEST(BoxTree, ofNothing) {
@@ -57,4 +57,4 @@ TEST(BoxTree, findsWhatMeetsABoxWhileBoxesChange) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

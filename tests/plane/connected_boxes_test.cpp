@@ -13,7 +13,7 @@
 #include "generators/random.h"
 #include "support/usual_tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::Random;
@@ -107,4 +107,4 @@ TEST(ConnectedBoxes, thoseThatMeetAreNeverParted) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

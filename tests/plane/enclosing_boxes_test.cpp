@@ -6,7 +6,7 @@
 #include "generators/random.h"
 #include "support/usual_tuning.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 struct Boxes {
@@ -73,4 +73,4 @@ TEST(EnclosingBoxes, thatCoverEachOtherAllCount) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

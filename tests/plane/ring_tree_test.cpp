@@ -11,7 +11,7 @@
 #include "support/strands_of.h"
 #include "support/usual_tuning.h"
 
-namespace oblast::noding {
+namespace oblast::internal::noding {
 namespace {
 
 using exact::orientation;
@@ -181,4 +181,4 @@ TEST(RingTree, takesFoldsForMeetings) {
 }
 
 }  // namespace
-}  // namespace oblast::noding
+}  // namespace oblast::internal::noding

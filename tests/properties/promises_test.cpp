@@ -16,7 +16,7 @@
 #include "verify/against.h"
 #include "verify/slabs.h"
 
-namespace oblast {
+namespace oblast::internal {
 
 // How RapidCheck shows a counterexample.
 void showValue(const RegionSet& regions, std::ostream& os) { os << generators::soup_to_wkt(regions); }
@@ -176,4 +176,4 @@ RC_GTEST_PROP(Promises, areasAddUp, ()) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

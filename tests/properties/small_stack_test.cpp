@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 constexpr std::size_t stack_bytes = 256 * 1024;
@@ -103,4 +103,4 @@ constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skv
 INSTANTIATE_TEST_SUITE_P(Engines, SmallStack, testing::ValuesIn(engines), engine_name);
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

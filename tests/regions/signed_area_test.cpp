@@ -6,7 +6,7 @@
 #include "verify/rational.h"
 #include "verify/text_regions.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using verify::regions_of;
@@ -61,4 +61,4 @@ TEST(SignedArea, isWithinAFewUlpsOfTheExactOne) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -9,7 +9,7 @@
 
 #include "verify/text_regions.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 struct Refused {
@@ -96,4 +96,4 @@ TEST(Validate, refusesOffsetsThatContradictTheArrays) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

@@ -10,7 +10,7 @@
 #include "verify/text_regions.h"
 #include "verify/verify.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using generators::Random;
@@ -115,4 +115,4 @@ TEST(Join, ofEmptyParts) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

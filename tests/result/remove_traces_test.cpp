@@ -1,14 +1,15 @@
 // Edges that cancel leave nothing behind, unless the straight edge would meet something.
+#include "result/remove_traces.h"
+
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 
 #include <algorithm>
 
 #include "generators/random.h"
-#include "result/rings.h"
 #include "verify/text_regions.h"
 
-namespace oblast {
+namespace oblast::internal {
 namespace {
 
 using verify::regions_of;
@@ -179,4 +180,4 @@ TEST(RemoveTraces, nothingIsLeftOfBordersInsideTheOtherOperand) {
 }
 
 }  // namespace
-}  // namespace oblast
+}  // namespace oblast::internal

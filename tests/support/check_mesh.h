@@ -11,6 +11,7 @@
 #include "triangulation/mesh.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 /// The first fault, in words; none when
 /// - twins are mutual and join the same two vertices, constrained marks agree on both sides;

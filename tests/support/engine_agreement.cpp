@@ -17,6 +17,7 @@
 #include "support/same_bits.h"
 
 namespace oblast::testing {
+using namespace internal;
 namespace {
 
 using generators::Operands;

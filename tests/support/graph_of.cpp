@@ -8,6 +8,7 @@
 #include "verify/text_regions.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& options) {
   Control control(options);

@@ -11,6 +11,7 @@
 #include "result/select.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 /// A drawing of a question: two operands (verify/text_regions.h), what to do with them.
 struct Question {

@@ -6,6 +6,7 @@
 #include "noding/strands.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 using Path = std::vector<Point>;
 

@@ -5,6 +5,7 @@
 #include "base/tuning.h"
 
 namespace oblast::testing {
+using namespace internal;
 
 inline constexpr bool usual_tuning = tuning::setting == tuning::Setting::usual;
 

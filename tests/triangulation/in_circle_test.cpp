@@ -10,6 +10,7 @@
 #include "support/exact_signs.h"
 
 namespace oblast::testing {
+using namespace internal;
 namespace {
 
 using exact::in_circle;

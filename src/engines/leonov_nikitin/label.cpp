@@ -22,7 +22,7 @@
 #include "plane/enclosing_boxes.h"
 #include "plane/smallest_vertex.h"
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 namespace {
 
 /// What is connected. Its labels are relative to one of its sectors.
@@ -208,4 +208,4 @@ class Labelling {
 
 LargeArray<Winding> label(const ChainGraph& graph) { return Labelling(graph).run(); }
 
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

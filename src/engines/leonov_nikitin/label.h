@@ -26,10 +26,10 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 
 /// By chain: the winding numbers of A and B on its right side; the left side is that plus its change.
 /// Meaningful for live chains only. Cost: O(k + z log z), z connected components.
 LargeArray<Winding> label(const ChainGraph& graph);
 
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

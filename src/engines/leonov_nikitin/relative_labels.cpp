@@ -10,7 +10,7 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 namespace {
 
 constexpr std::uint32_t range_size = tuning::labelled_nodes_a_range;
@@ -206,4 +206,4 @@ RelativeLabels label_relatively(const ChainGraph& graph) {
   return labels;
 }
 
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

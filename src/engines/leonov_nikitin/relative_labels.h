@@ -14,7 +14,7 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 
 struct RelativeLabels {
   LargeArray<Winding> right;            ///< by chain that is no loop: winding numbers on its right side
@@ -25,4 +25,4 @@ struct RelativeLabels {
 /// Cost: O(k log k) for k chain ends in lists, nearly all of it linear.
 RelativeLabels label_relatively(const ChainGraph& graph);
 
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

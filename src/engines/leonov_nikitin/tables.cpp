@@ -4,7 +4,7 @@
 
 #include "result/select.h"
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 namespace {
 
 struct Sides {
@@ -62,4 +62,4 @@ static_assert(table_2_follows());
 static_assert(table_3_follows());
 
 }  // namespace
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

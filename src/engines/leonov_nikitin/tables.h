@@ -13,7 +13,7 @@
 
 #include <oblast/options.h>
 
-namespace oblast::leonov_nikitin {
+namespace oblast::internal::leonov_nikitin {
 
 enum class Region { a, b };
 enum class EdgeLabel { outside, inside, shared1, shared2 };
@@ -57,4 +57,4 @@ constexpr Direction edge_rule(Operation op, EdgeLabel flags, Region of) {
   return Direction::none;
 }
 
-}  // namespace oblast::leonov_nikitin
+}  // namespace oblast::internal::leonov_nikitin

@@ -4,7 +4,7 @@
 #include "base/call_memory.h"
 #include "result/select.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 namespace {
 
 using triangulation::half_edge;
@@ -86,4 +86,4 @@ Array<bool> select_faces(const Classification& classification, Operation operati
   return kept;
 }
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

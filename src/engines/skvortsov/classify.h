@@ -14,7 +14,7 @@
 #include "base/call_memory.h"
 #include "engines/skvortsov/marked_mesh.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 
 struct Classification {
   Array<std::uint32_t> face;  ///< by triangle: the flood that ate it; 0 is the outside
@@ -27,4 +27,4 @@ Classification classify(const ChainGraph& graph, const MarkedMesh& marked);
 /// Step 3: the truth table, by face.
 Array<bool> select_faces(const Classification& classification, Operation operation, const Options& options);
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

@@ -4,7 +4,7 @@
 #include "base/call_memory.h"
 #include "exact/orientation.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 namespace {
 
 using namespace triangulation;
@@ -127,4 +127,4 @@ Contours walk_contours(const Mesh& mesh, const Kept& kept, ContourConvention con
   return Walking(mesh, kept, convention).run();
 }
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

@@ -17,7 +17,7 @@
 #include "result/nesting.h"
 #include "result/rings.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 
 /// By triangle: kept in the result or not.
 using Kept = Array<bool>;
@@ -31,4 +31,4 @@ struct Contours {
 /// Cost: O(n) on average (the sum over the result's sides of the degrees of their vertices at worst).
 Contours walk_contours(const triangulation::Mesh& mesh, const Kept& kept, ContourConvention convention);
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

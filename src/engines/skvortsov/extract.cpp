@@ -7,7 +7,7 @@
 #include "engines/skvortsov/contours.h"
 #include "engines/skvortsov/marked_mesh.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 namespace {
 
 using triangulation::triangle_of;
@@ -66,4 +66,4 @@ Extracted extract(const ChainGraph& graph, Operation operation, const Options& o
   return {std::move(rings), std::move(contours.nesting)};
 }
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

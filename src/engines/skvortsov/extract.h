@@ -25,7 +25,7 @@
 #include "result/nesting.h"
 #include "result/rings.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 
 /// The contours of the result with their polygons, before canonical order.
 struct Extracted {
@@ -38,4 +38,4 @@ struct Extracted {
 Extracted extract(const ChainGraph& graph, Operation operation, const Options& options, Control& control,
                   Statistics& statistics);
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

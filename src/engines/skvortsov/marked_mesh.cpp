@@ -6,7 +6,7 @@
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 namespace {
 
 using namespace triangulation;
@@ -91,4 +91,4 @@ MarkedMesh mark_mesh(const ChainGraph& graph) {
   return marked;
 }
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

@@ -5,7 +5,7 @@
 #include "graph/chain_graph.h"
 #include "triangulation/mesh.h"
 
-namespace oblast::skvortsov {
+namespace oblast::internal::skvortsov {
 
 struct MarkedMesh {
   triangulation::Mesh mesh;
@@ -18,4 +18,4 @@ struct MarkedMesh {
 /// Cost: that of the triangulation.
 MarkedMesh mark_mesh(const ChainGraph& graph);
 
-}  // namespace oblast::skvortsov
+}  // namespace oblast::internal::skvortsov

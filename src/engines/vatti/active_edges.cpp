@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 
 Slot ActiveEdges::find_below(const Point& p) {
   Slot found = ground;
@@ -79,4 +79,4 @@ void ActiveEdges::erase(Slot slot) {
   free_ = slot;
 }
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

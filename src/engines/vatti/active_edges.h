@@ -17,7 +17,7 @@
 #include "engines/vatti/bounds.h"
 #include "exact/orientation.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 
 using Slot = std::uint32_t;
 inline constexpr Slot ground = 0;
@@ -71,4 +71,4 @@ class ActiveEdges {
   std::uint32_t random_ = 0x9e3779b9;
 };
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

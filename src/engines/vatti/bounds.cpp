@@ -8,7 +8,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 namespace {
 
 /// A bound with its stops as they were numbered when found.
@@ -145,4 +145,4 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
   return result;
 }
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

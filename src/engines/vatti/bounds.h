@@ -15,7 +15,7 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 
 struct Bound {
   Point second;         ///< its second vertex
@@ -48,4 +48,4 @@ struct Bounds {
 /// Cost: O(n + (r + s) log (r + s)), n vertices of these chains, r bounds, s stops.
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains);
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

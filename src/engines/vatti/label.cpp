@@ -13,7 +13,7 @@
 #include "engines/vatti/bounds.h"
 #include "engines/vatti/passive.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 namespace {
 
 class Scan {
@@ -91,4 +91,4 @@ LargeArray<Winding> label(const ChainGraph& graph) {
   return right;
 }
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

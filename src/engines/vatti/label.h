@@ -32,10 +32,10 @@
 
 #include "graph/chain_graph.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 
 /// By chain: the winding numbers of A and B on its right side; the left side is that plus its change.
 /// Meaningful for live chains only. Reads the graph's strands and chains alone, not its connectivity lists.
 LargeArray<Winding> label(const ChainGraph& graph);
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

@@ -11,7 +11,7 @@
 #include "base/tuning.h"
 #include "exact/orientation.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 namespace {
 
 struct Extent {
@@ -146,4 +146,4 @@ Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std:
   return active;
 }
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

@@ -18,11 +18,11 @@
 #include "base/call_memory.h"
 #include "graph/chain_graph.h"
 
-namespace oblast::vatti {
+namespace oblast::internal::vatti {
 
 /// Of the given chains, all that are live, labels the passive contours in `right` and returns the others, in order.
 /// Cost: O(n + k log k), n vertices of these chains, k chains.
 Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                                    LargeArray<Winding>& right);
 
-}  // namespace oblast::vatti
+}  // namespace oblast::internal::vatti

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace oblast;
+using namespace oblast::internal;
 using namespace oblast::tests;
 using window::fast_overlay;
 
