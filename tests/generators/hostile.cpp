@@ -13,7 +13,7 @@ std::span<const HostileGenerator> hostile_generators() {
       {"nested_squares", "squares in squares, touching at corners", nested_squares},
       {"checkerboards", "cells that meet at corners, over shifted cells", checkerboards},
       {"near_parallel_bundles", "long thin contours that differ by a few units in the last place",
-       near_parallel_bundles, 20, 60},
+       near_parallel_bundles, 20, 60, 150},
       {"fans", "many edges at one vertex", fans},
       {"combs", "combs whose teeth meet in one point, or almost", combs},
       {"stars", "contours that cross themselves many times near one point", stars, 60, 150},
