@@ -8,6 +8,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/export.h>
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
@@ -32,8 +33,8 @@ struct ClassicReport {
 /// Domain: each operand one convex contour, either direction, straight vertices allowed; intersection,
 /// union, difference. Cost: at most 2(n1 + n2) advances, O(n1 + n2) time, and O(k log k) to order k meetings.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr,
-                  const CallOptions& options = {});
+OBLAST_API RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
+                             ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// Sutherland and Hodgman 1974: `subject` clipped to a convex window; intersection only.
 /// Domain: the window is one convex contour of m sides; the subject is one general polygon, that is, any
@@ -41,32 +42,32 @@ RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
 /// crosses itself in the subject is resolved first, since a result must be closed.
 /// Cost: O(m n log n) worst, O(m n) where few edges cross the window; O(n log n) to see that the subject is simple.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window, ClassicReport* report = nullptr,
-                             const CallOptions& options = {});
+OBLAST_API RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window,
+                                        ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// Weiler and Atherton 1977: regular polygons with oriented contours; holes allowed.
 /// Domain: in each operand edges meet at their ends only, and the interior is on one and the same side
 /// of every contour as it is directed: left of all or right of all. Contours are read as directed, however
 /// they are grouped into polygons. Intersection, union, difference. Cost: O((n + k) log n), k meetings.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation,
-                          ClassicReport* report = nullptr, const CallOptions& options = {});
+OBLAST_API RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation,
+                                     ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// Margalit and Knott 1989: vertex-complete polygons.
 /// Domain: each operand one contour, either direction, any two edges of which are disjoint, or meet at
 /// their ends only, or coincide: keyholes and figures of eight are admitted. Read by even-odd.
 /// Intersection, union, difference. Cost: O((n + k) log n): the improvement Table 1 calls theoretical.
 /// Throws Error: precondition, and as `overlay`.
-RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation, ClassicReport* report = nullptr,
-                         const CallOptions& options = {});
+OBLAST_API RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation,
+                                    ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// One of the above by its name. Throws Error(precondition) for an operation the method does not have.
-RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
-                  ClassicReport* report = nullptr, const CallOptions& options = {});
+OBLAST_API RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
+                             ClassicReport* report = nullptr, const CallOptions& options = {});
 
 /// A convex window prepared once, to clip millions of polygons. Most of a subject needs a look at its boxes only, so
 /// the cost is that of what comes near the window. May be used from several threads at once.
-class ClipWindow {
+class OBLAST_API ClipWindow {
  public:
   /// The contour of `window`. Domain and errors as the window of `sutherland_hodgman`.
   explicit ClipWindow(const RegionView& window, const CallOptions& options = {});

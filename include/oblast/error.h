@@ -1,6 +1,8 @@
 // What the library reports: data or options at fault, a call that was cancelled, one that needs more than it may have.
 #pragma once
 
+#include <oblast/export.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -28,7 +30,7 @@ struct Place {
 };
 
 /// Thrown by the public functions. Degenerate geometry never is an error (promise G5).
-class Error : public std::runtime_error {
+class OBLAST_API Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& what, Place place = {})
       : std::runtime_error(what), code_(code), place_(place) {}

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/export.h>
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
@@ -20,11 +21,11 @@ namespace oblast {
 /// Throws Error: not_finite, out_of_domain, too_large, bad_option, cancelled, memory_limit. Cost: O(n) for simple
 /// contours (the check finds edges by buckets: a logarithm of the corners in one bucket at worst), O(n log n)
 /// otherwise.
-std::vector<Point> hull(std::span<const Point> contour, const CallOptions& options = {});
+OBLAST_API std::vector<Point> hull(std::span<const Point> contour, const CallOptions& options = {});
 
 /// The convex hull of all regions as one polygon, empty where they have no area: the hull of the hulls of
 /// all contours. Cost: O(n + h log h), h corners of the contours' hulls together.
 /// Throws Error: as above, and bad_offsets.
-RegionSet hull(const RegionView& regions, const CallOptions& options = {});
+OBLAST_API RegionSet hull(const RegionView& regions, const CallOptions& options = {});
 
 }  // namespace oblast

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/export.h>
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
@@ -32,6 +33,7 @@ struct Layers {
 /// Cost: O((n + v) log n + p), n contours, v vertices, p pairs whose boxes overlap, besides the edges of
 /// a pair whose boxes meet; memory O(n + v).
 /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit.
-Layers layers(const RegionView& operand, LayerRule rule = LayerRule::interiors, const CallOptions& options = {});
+OBLAST_API Layers layers(const RegionView& operand, LayerRule rule = LayerRule::interiors,
+                         const CallOptions& options = {});
 
 }  // namespace oblast

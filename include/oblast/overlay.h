@@ -2,6 +2,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/export.h>
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
@@ -19,10 +20,11 @@ namespace oblast {
 /// Calls may run side by side on any threads, on the same input too, as long as nobody writes to it. With
 /// Options::threads 0 a call takes part in the caller's oneTBB arena; it may be made from within his own tasks, also
 /// ones that he cancels: then it ends as it would have. With 1 it stays on the caller's thread.
-RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options = {});
+OBLAST_API RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation,
+                             const Options& options = {});
 
 /// The union of any number of polygons in one pass; `options.fill_a` is its rule.
 /// `unite(unite(x)) == unite(x)`, bit for bit. Cost and errors as for `overlay`.
-RegionSet unite(const RegionView& regions, const Options& options = {});
+OBLAST_API RegionSet unite(const RegionView& regions, const Options& options = {});
 
 }  // namespace oblast

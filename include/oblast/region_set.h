@@ -8,6 +8,7 @@
 // (a repeated one is accepted on input). Indices are 32-bit.
 #pragma once
 
+#include <oblast/export.h>
 #include <oblast/point.h>
 
 #include <cstddef>
@@ -63,6 +64,6 @@ struct RegionSet {
 /// most 2^-50 of the sum of |dx1 dy2| + |dx2 dy1| over the triangles of each contour's fan from its first vertex, so
 /// the area of slivers alone can come out with either sign. Throws Error: not_finite, out_of_domain, too_large,
 /// bad_offsets.
-double signed_area(const RegionView& regions);
+OBLAST_API double signed_area(const RegionView& regions);
 
 }  // namespace oblast

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <oblast/error.h>
+#include <oblast/export.h>
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
@@ -52,6 +53,6 @@ struct Triangulation {
 /// Cost: the union, then O(n) on average, O(n log n) with the spatial sort; about 200 bytes a vertex.
 /// Throws Error: as `unite`; too_large from 2^29 vertices; precondition for TriangleInput::result when sides
 /// cross or pass through vertices.
-Triangulation triangulate(const RegionView& regions, const TriangulateOptions& options = {});
+OBLAST_API Triangulation triangulate(const RegionView& regions, const TriangulateOptions& options = {});
 
 }  // namespace oblast

@@ -1,6 +1,8 @@
 // Memory that calls leave for the next ones.
 #pragma once
 
+#include <oblast/export.h>
+
 #include <cstddef>
 #include <memory>
 
@@ -19,7 +21,7 @@ KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
 ///
 /// Calls on any threads may share one at the same time, under a lock; one a thread is best. clear() and kept_bytes()
 /// may be called meanwhile, but to move or destroy it may not. It must outlive the calls, not their results.
-class Workspace {
+class OBLAST_API Workspace {
  public:
   static constexpr std::size_t usual_bytes = std::size_t{16} << 20;
 
