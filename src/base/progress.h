@@ -88,7 +88,7 @@ class NoShare {
 class LoopShare {
  public:
   explicit LoopShare(std::size_t count) : share_(Share::current()) {
-    if (share_ && count > 0) a_piece_ = static_cast<double>(share_->left() / 4) / static_cast<double>(count);
+    if (share_ && count > 0) a_piece_ = static_cast<double>(share_->left()) / 4 / static_cast<double>(count);
   }
 
   /// From any thread, for as long as the share lives.

@@ -28,7 +28,6 @@ namespace {
 using classics::ConvexMeetings;
 using classics::NodedContour;
 using exact::orientation;
-using window::Contours;
 
 constexpr const char* name = "O'Rourke";
 constexpr const char* instead = "Weiler-Atherton or overlay";

@@ -80,8 +80,7 @@ Outline outline(noding::Strands strands, const Job& job, Statistics& statistics)
   return link_stage(graph, selection, job, statistics);                                                   // 5
 }
 
-PipelineResult assemble_stage(Outline outline, const Job& job, Statistics& statistics) {
-  auto& [rings, nesting] = outline;
+PipelineResult assemble_stage(Rings rings, const Nesting& nesting, const Job& job, Statistics& statistics) {
   const InStage stage(Stage::assemble, 1, job.control, statistics);
   const bool touches =
       std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
@@ -111,8 +110,8 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job&
     strands = collect(a, b, job.options, resolve_by_pipeline(job.control), statistics.resolved_polygons);  // 1
   }
   return in_batches(std::move(strands), job, statistics, [&](noding::Strands batch, Statistics& of_batch) {
-    Outline contours = outline(std::move(batch), job, of_batch);  // 2 to 5
-    return assemble_stage(std::move(contours), job, of_batch);    // 6
+    Outline contours = outline(std::move(batch), job, of_batch);                        // 2 to 5
+    return assemble_stage(std::move(contours.rings), contours.nesting, job, of_batch);  // 6
   });
 }
 
