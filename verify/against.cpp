@@ -109,8 +109,10 @@ class Comparison {
     shorter.points.assign(all.points.begin(), all.points.end());
     shorter.points.erase(shorter.points.begin() + v);
     shorter.contour_ends.assign(all.contour_ends.begin(), all.contour_ends.end());
+    for (std::uint32_t& end : shorter.contour_ends) end -= all.first_point;
     for (std::size_t c = edges_.contour_of[v]; c < shorter.contour_ends.size(); ++c) --shorter.contour_ends[c];
     shorter.polygon_ends.assign(all.polygon_ends.begin(), all.polygon_ends.end());
+    for (std::uint32_t& end : shorter.polygon_ends) end -= all.first_contour;
     return !check_closed(shorter, options_.contours);
   }
 

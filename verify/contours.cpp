@@ -79,22 +79,24 @@ bool is_outer(const Edges& edges, std::uint32_t contour) {
   return lowest_out;
 }
 
-std::optional<Fault> check_ends(std::span<const std::uint32_t> ends, std::size_t total, const std::string& what) {
-  std::uint32_t before = 0;
+std::optional<Fault> check_ends(std::span<const std::uint32_t> ends, std::uint32_t first, std::size_t total,
+                                const std::string& what) {
+  std::uint32_t before = first;
   for (const std::uint32_t end : ends) {
     if (end <= before) return Fault{what + " are not increasing: an empty entry, or a step back", {}};
     before = end;
   }
-  if (before != total) return Fault{what + " do not end at the end of their array", {}};
+  if (before != first + total) return Fault{what + " do not end at the end of their array", {}};
   return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Fault> check_offsets(const RegionView& regions) {
-  if (auto fault = check_ends(regions.contour_ends, regions.points.size(), "contour_ends")) return fault;
+  if (auto fault = check_ends(regions.contour_ends, regions.first_point, regions.points.size(), "contour_ends"))
+    return fault;
   if (regions.polygon_ends.empty()) return std::nullopt;
-  return check_ends(regions.polygon_ends, regions.contour_count(), "polygon_ends");
+  return check_ends(regions.polygon_ends, regions.first_contour, regions.contour_count(), "polygon_ends");
 }
 
 std::optional<Fault> check_vertices(const Edges& edges) {

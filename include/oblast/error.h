@@ -18,15 +18,19 @@ enum class ErrorCode {
   precondition,   ///< the input is outside the stated domain of a classic method
   cancelled,      ///< the caller's callback asked to stop
   memory_limit,   ///< the call needs more memory than CallOptions::most_bytes
+  bad_wkt,        ///< text that is not Well-Known Text of polygons
+  bad_wkb,        ///< bytes that are not Well-Known Binary of polygons
 };
 
-/// Where in the input an error is: indices into the arrays of the operand. `npos` where it does not apply.
+/// Where in the input an error is: indices into the arrays of the operand, or bytes of what is read. `npos` where it
+/// does not apply.
 struct Place {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   std::size_t operand = npos;  ///< 0 for A, 1 for B
   std::size_t polygon = npos;
   std::size_t contour = npos;  ///< index of the contour within the operand
   std::size_t vertex = npos;   ///< index of the vertex within the contour
+  std::size_t byte = npos;     ///< of text or binary that is read: how many bytes come before the fault
 };
 
 /// Thrown by the public functions. Degenerate geometry never is an error (promise G5).

@@ -6,43 +6,170 @@
 //
 // A contour is closed implicitly: its last point is joined to its first, which is not repeated
 // (a repeated one is accepted on input). Indices are 32-bit.
+//
+//   for (const oblast::PolygonView polygon : regions.polygons())
+//     for (const std::span<const oblast::Point> contour : polygon.contours())
+//       for (const oblast::Point& p : contour) ...
 #pragma once
 
 #include <oblast/export.h>
 #include <oblast/point.h>
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace oblast {
 
+class ContourRange;
+class PolygonRange;
+class PolygonView;
+
 /// A caller's arrays, viewed without copying them. Any closed contours are admitted: they may cross
 /// themselves and each other, overlap, repeat, nest and touch. With `polygon_ends` empty every
 /// contour is a polygon of its own.
+///
+/// A view of a part of larger arrays has their offsets as they are: `first_point` and `first_contour` say what these
+/// count up to where the part begins. Indices that functions here take and give count from the part's own beginning.
 struct RegionView {
   std::span<const Point> points;
   std::span<const std::uint32_t> contour_ends;
   std::span<const std::uint32_t> polygon_ends;
+  std::uint32_t first_point = 0;    ///< what contour_ends count from
+  std::uint32_t first_contour = 0;  ///< what polygon_ends count from
 
   std::size_t contour_count() const { return contour_ends.size(); }
   std::size_t polygon_count() const { return polygon_ends.empty() ? contour_ends.size() : polygon_ends.size(); }
 
-  std::uint32_t contour_begin(std::size_t c) const { return c == 0 ? 0 : contour_ends[c - 1]; }
-  std::uint32_t contour_end(std::size_t c) const { return contour_ends[c]; }
+  std::uint32_t contour_begin(std::size_t c) const { return c == 0 ? 0 : contour_ends[c - 1] - first_point; }
+  std::uint32_t contour_end(std::size_t c) const { return contour_ends[c] - first_point; }
   std::span<const Point> contour(std::size_t c) const {
     return points.subspan(contour_begin(c), contour_end(c) - contour_begin(c));
   }
 
   std::uint32_t polygon_begin(std::size_t p) const {
     if (polygon_ends.empty()) return static_cast<std::uint32_t>(p);
-    return p == 0 ? 0 : polygon_ends[p - 1];
+    return p == 0 ? 0 : polygon_ends[p - 1] - first_contour;
   }
   std::uint32_t polygon_end(std::size_t p) const {
-    return polygon_ends.empty() ? static_cast<std::uint32_t>(p + 1) : polygon_ends[p];
+    return polygon_ends.empty() ? static_cast<std::uint32_t>(p + 1) : polygon_ends[p] - first_contour;
   }
+
+  /// Contours [begin, end) of these arrays, each a polygon of its own. REQUIRES: begin <= end <= contour_count().
+  RegionView contours_between(std::size_t begin, std::size_t end) const {
+    if (begin == end) return {};
+    const std::uint32_t from = contour_begin(begin);
+    return {points.subspan(from, contour_end(end - 1) - from),
+            contour_ends.subspan(begin, end - begin),
+            {},
+            first_point + from};
+  }
+
+  PolygonView polygon(std::size_t p) const;  ///< REQUIRES: p < polygon_count()
+  PolygonRange polygons() const;             ///< of PolygonView
+  ContourRange contours() const;             ///< of all polygons; of std::span<const Point>
 };
+
+/// Walks by index over what `Range::operator[]` gives, and keeps the range with it: a range may be gone before.
+template <class Range, class Value>
+class IndexIterator {
+ public:
+  using iterator_concept = std::random_access_iterator_tag;
+  using iterator_category = std::input_iterator_tag;  // elements are made as they are asked for
+  using difference_type = std::ptrdiff_t;
+  using value_type = Value;
+  using reference = Value;
+  using pointer = void;
+
+  IndexIterator() = default;
+  IndexIterator(const Range& range, std::size_t index) : range_(range), index_(static_cast<difference_type>(index)) {}
+
+  Value operator*() const { return range_[static_cast<std::size_t>(index_)]; }
+  Value operator[](difference_type n) const { return *(*this + n); }
+  IndexIterator& operator+=(difference_type n) { return index_ += n, *this; }
+  IndexIterator& operator-=(difference_type n) { return index_ -= n, *this; }
+  IndexIterator& operator++() { return *this += 1; }
+  IndexIterator& operator--() { return *this -= 1; }
+  IndexIterator operator++(int) { return std::exchange(*this, *this + 1); }
+  IndexIterator operator--(int) { return std::exchange(*this, *this - 1); }
+
+  friend IndexIterator operator+(IndexIterator i, difference_type n) { return i += n; }
+  friend IndexIterator operator+(difference_type n, IndexIterator i) { return i += n; }
+  friend IndexIterator operator-(IndexIterator i, difference_type n) { return i -= n; }
+  friend difference_type operator-(const IndexIterator& i, const IndexIterator& j) { return i.index_ - j.index_; }
+  friend bool operator==(const IndexIterator& i, const IndexIterator& j) { return i.index_ == j.index_; }
+  friend auto operator<=>(const IndexIterator& i, const IndexIterator& j) { return i.index_ <=> j.index_; }
+
+ private:
+  Range range_;
+  difference_type index_ = 0;
+};
+
+/// Contours as spans of their points. A few words, copied at no cost; it views the arrays of the caller.
+class ContourRange {
+ public:
+  using Iterator = IndexIterator<ContourRange, std::span<const Point>>;
+
+  ContourRange() = default;
+  explicit ContourRange(const RegionView& regions) : regions_(regions) {}
+
+  std::size_t size() const { return regions_.contour_count(); }
+  bool empty() const { return size() == 0; }
+  std::span<const Point> operator[](std::size_t c) const { return regions_.contour(c); }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+ private:
+  RegionView regions_;
+};
+
+/// One polygon of a region set: a RegionView of it alone, offsets and all, without a copy.
+class PolygonView {
+ public:
+  explicit PolygonView(const RegionView& alone) : alone_(alone) {}
+
+  operator const RegionView&() const { return alone_; }
+  const RegionView& view() const { return alone_; }
+
+  std::size_t contour_count() const { return alone_.contour_count(); }
+  std::span<const Point> contour(std::size_t c) const { return alone_.contour(c); }
+  ContourRange contours() const { return ContourRange(alone_); }
+
+ private:
+  RegionView alone_;
+};
+
+class PolygonRange {
+ public:
+  using Iterator = IndexIterator<PolygonRange, PolygonView>;
+
+  PolygonRange() = default;
+  explicit PolygonRange(const RegionView& regions) : regions_(regions) {}
+
+  std::size_t size() const { return regions_.polygon_count(); }
+  bool empty() const { return size() == 0; }
+  PolygonView operator[](std::size_t p) const { return regions_.polygon(p); }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, size()}; }
+
+ private:
+  RegionView regions_;
+};
+
+inline PolygonView RegionView::polygon(std::size_t p) const {
+  RegionView alone = contours_between(polygon_begin(p), polygon_end(p));
+  if (!polygon_ends.empty()) {
+    alone.polygon_ends = polygon_ends.subspan(p, 1);
+    alone.first_contour = first_contour + polygon_begin(p);
+  }
+  return PolygonView(alone);
+}
+inline PolygonRange RegionView::polygons() const { return PolygonRange(*this); }
+inline ContourRange RegionView::contours() const { return ContourRange(*this); }
 
 /// Owned contours and polygons. As a result of an overlay it is canonical (promise G3): polygons do
 /// not overlap; the first contour of each is its outer one, counter-clockwise; the others are its
@@ -55,6 +182,13 @@ struct RegionSet {
   bool empty() const { return points.empty(); }
   operator RegionView() const { return {points, contour_ends, polygon_ends}; }
   RegionView view() const { return *this; }
+  PolygonView polygon(std::size_t p) const& { return view().polygon(p); }
+  PolygonRange polygons() const& { return view().polygons(); }
+  ContourRange contours() const& { return view().contours(); }
+  // Of a set that is gone at the end of the line they would view nothing.
+  PolygonView polygon(std::size_t p) const&& = delete;
+  PolygonRange polygons() const&& = delete;
+  ContourRange contours() const&& = delete;
 
   friend bool operator==(const RegionSet&, const RegionSet&) = default;
 };
@@ -67,3 +201,9 @@ struct RegionSet {
 OBLAST_API double signed_area(const RegionView& regions);
 
 }  // namespace oblast
+
+// Their iterators keep what they need. <span> declares the template, and is quicker to compile than <ranges>.
+template <>
+inline constexpr bool std::ranges::enable_borrowed_range<oblast::ContourRange> = true;
+template <>
+inline constexpr bool std::ranges::enable_borrowed_range<oblast::PolygonRange> = true;

@@ -287,6 +287,23 @@ inline constexpr std::uint32_t contour_edges_a_leaf = choose("contour_edges_a_le
 /// Columns and rows of the raster that tells what is passive, at most: bounds its memory. Not measured.
 inline constexpr std::uint32_t largest_raster_side = choose("largest_raster_side", 8192, 4);
 
+// ---- Locating points -----------------------------------------------------------------------------------------------
+
+/// Cells of a locator's grid for an edge, and entries of edges in cells for an edge, at most: more are shorter lists,
+/// and more memory. Not measured against other values.
+inline constexpr std::size_t located_cells_an_edge = choose("located_cells_an_edge", 2, 1);
+inline constexpr std::size_t located_entries_an_edge = choose("located_entries_an_edge", 6, 3);
+
+/// Edges of a cell up to which all of them are looked at; of more, those of its line are searched in the tree of slabs.
+/// Not measured against other values.
+inline constexpr std::uint32_t looked_at_in_a_cell = choose("looked_at_in_a_cell", 32, 2);
+
+/// Queries of a task. Not measured.
+inline constexpr std::size_t queries_a_task = choose("queries_a_task", 4096, 4);
+
+/// Contours and points whose measures are added by one thread. Not measured.
+inline constexpr std::size_t measured_contours_a_task = choose("measured_contours_a_task", 256, 2);
+
 // ---- What decides bytes --------------------------------------------------------------------------------------------
 //
 // Another value would be another result, in the last places of coordinates and in where vertices are; or, for the last

@@ -6,6 +6,7 @@
 #include "base/block_resource.h"
 #include "classics/operand.h"
 #include "classics/settle.h"
+#include "regions/copy_of.h"
 #include "regions/validate.h"
 #include "window/window_clip.h"
 
@@ -26,9 +27,7 @@ std::optional<window::Window> prepare(const RegionView& window) {
 
 RegionSet checked_copy(const RegionView& v) {
   validate(v, 1);
-  return {{v.points.begin(), v.points.end()},
-          {v.contour_ends.begin(), v.contour_ends.end()},
-          {v.polygon_ends.begin(), v.polygon_ends.end()}};
+  return copy_of(v);
 }
 
 RegionSet rectangle(double x0, double y0, double x1, double y1) {

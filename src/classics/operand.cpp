@@ -13,7 +13,8 @@ constexpr std::size_t npos = Place::npos;
 std::size_t polygon_of(const RegionView& regions, std::size_t contour) {
   if (contour == npos || regions.polygon_ends.empty()) return contour;
   const auto& ends = regions.polygon_ends;
-  return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), contour) - ends.begin());
+  return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), regions.first_contour + contour) -
+                                  ends.begin());
 }
 
 int turn_at(const Ring& ring, std::size_t i) {

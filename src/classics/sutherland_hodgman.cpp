@@ -58,12 +58,8 @@ class Subject {
   /// A general polygon to the regular one that is the same region, as the library reads polygons anywhere.
   void resolve(std::uint32_t begin, std::uint32_t end) {
     if (begin == end) return;
-    const RegionView& regions = operand_.regions;
-    const std::uint32_t first_point = regions.contour_begin(begin);
-    Array<std::uint32_t> ends(regions.contour_ends.begin() + begin, regions.contour_ends.begin() + end);
-    for (std::uint32_t& e : ends) e -= first_point;
-    const RegionSet regular = unite({regions.points.subspan(first_point, ends.back()), ends, {}},
-                                    classics::overlay_options(options_, FillRule::even_odd()));
+    const RegionSet regular =
+        unite(operand_.regions.contours_between(begin, end), classics::overlay_options(options_, FillRule::even_odd()));
     for (std::size_t c = 0; c < regular.contour_ends.size(); ++c) {
       rings.push_back(classics::clean_ring(regular.view().contour(c)));
       rings.back().contour = begin;

@@ -130,11 +130,7 @@ class PolygonReader {
   bool resolve_polygon(std::size_t polygon, Strands& strands) const {
     const std::uint32_t begin = operand_.polygon_begin(polygon), end = operand_.polygon_end(polygon);
     if (begin == end) return false;
-    const std::uint32_t first_point = operand_.contour_begin(begin);
-    Array<std::uint32_t> ends(operand_.contour_ends.begin() + begin, operand_.contour_ends.begin() + end);
-    for (std::uint32_t& e : ends) e -= first_point;
-    const RegionView rings{operand_.points.subspan(first_point, ends.back()), ends, {}};
-    return append_resolved(resolve_(rings), winding(1), group(polygon), strands);
+    return append_resolved(resolve_(operand_.contours_between(begin, end)), winding(1), group(polygon), strands);
   }
 
   const RegionView& operand_;

@@ -15,11 +15,11 @@ namespace oblast::internal {
 namespace {
 
 void check_offsets(const RegionView& v, std::size_t operand) {
-  const auto check = [&](std::span<const std::uint32_t> ends, std::size_t size, const char* name) {
-    const bool increasing = std::is_sorted(ends.begin(), ends.end());
-    if (!increasing || (!ends.empty() && ends.back() != size) || (ends.empty() && size != 0))
+  const auto check = [&](std::span<const std::uint32_t> ends, std::size_t first, std::size_t size, const char* name) {
+    const bool increasing = std::is_sorted(ends.begin(), ends.end()) && (ends.empty() || ends.front() >= first);
+    if (!increasing || (!ends.empty() && ends.back() != first + size) || (ends.empty() && size != 0))
       throw Error(ErrorCode::bad_offsets,
-                  std::string(name) + " must not decrease and must end at " + std::to_string(size), {operand});
+                  std::string(name) + " must not decrease and must end at " + std::to_string(first + size), {operand});
   };
   // Before anything is read: sizes alone tell.
   const auto check_size = [&](std::size_t count, const char* what, std::size_t most) {
@@ -28,8 +28,8 @@ void check_offsets(const RegionView& v, std::size_t operand) {
   check_size(v.points.size(), "vertices in one call", most_vertices);
   check_size(v.contour_count(), "contours in one call", most_indices);
   check_size(v.polygon_count(), "polygons in one call", most_indices);
-  check(v.contour_ends, v.points.size(), "contour_ends");
-  if (!v.polygon_ends.empty()) check(v.polygon_ends, v.contour_ends.size(), "polygon_ends");
+  check(v.contour_ends, v.first_point, v.points.size(), "contour_ends");
+  if (!v.polygon_ends.empty()) check(v.polygon_ends, v.first_contour, v.contour_count(), "polygon_ends");
 }
 
 [[noreturn]] void throw_at(const Point& p, const Place& place) {
@@ -44,8 +44,8 @@ Place place_of(const RegionView& v, std::size_t operand, std::size_t vertex) {
   const auto index_of = [](std::span<const std::uint32_t> ends, std::size_t i) {
     return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), i) - ends.begin());
   };
-  const std::size_t contour = index_of(v.contour_ends, vertex);
-  const std::size_t polygon = v.polygon_ends.empty() ? contour : index_of(v.polygon_ends, contour);
+  const std::size_t contour = index_of(v.contour_ends, v.first_point + vertex);
+  const std::size_t polygon = v.polygon_ends.empty() ? contour : index_of(v.polygon_ends, v.first_contour + contour);
   return {operand, polygon, contour, vertex - v.contour_begin(contour)};
 }
 

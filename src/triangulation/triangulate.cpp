@@ -8,6 +8,7 @@
 #include "base/call_memory.h"
 #include "base/public_call.h"
 #include "base/stage_shares.h"
+#include "regions/copy_of.h"
 #include "regions/validate.h"
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
@@ -106,13 +107,6 @@ Charge write_triangles(const Mesh& mesh, const Array<std::uint32_t>& polygon, co
   return charge;
 }
 
-RegionSet copy(const RegionView& regions) {
-  RegionSet copied{{regions.points.begin(), regions.points.end()},
-                   {regions.contour_ends.begin(), regions.contour_ends.end()},
-                   {regions.polygon_ends.begin(), regions.polygon_ends.end()}};
-  return copied;
-}
-
 Triangulation triangulation_of(RegionSet regions, TriangleExtent extent) {
   Triangulation result;
   result.regions = std::move(regions);
@@ -145,7 +139,7 @@ Triangulation triangulate(const RegionView& regions, const TriangulateOptions& o
       return triangulation_of(std::move(united), options.extent);
     }
     validate(regions, 0);
-    return triangulation_of(copy(regions), options.extent);
+    return triangulation_of(copy_of(regions), options.extent);
   });
 }
 

@@ -1,0 +1,186 @@
+#include "locate/cell_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/call.h"
+#include "base/tuning.h"
+#include "exact/orientation.h"
+
+namespace oblast::internal::locate {
+namespace {
+
+using exact::orientation;
+
+constexpr std::size_t most_entries = 0x7fffffff;  // twice as many have 32 bits
+
+bool crosses(double from, double to, double after) { return (from <= after) != (to <= after); }
+
+/// Whether an edge that crosses the line just below q does so left of what is just right of q. `side`: orientation of
+/// its ends, as given, and q.
+bool passes_left(const Point& from, const Point& to, int side) {
+  if (side == 0) return from.y < to.y ? from.x <= to.x : to.x <= from.x;
+  return (side < 0) == (from.y < to.y);
+}
+
+}  // namespace
+
+std::size_t CellGrid::line_of(double value, double first, double step, std::size_t count) {
+  const double guess = step > 0 ? (value - first) / step : 0;
+  std::size_t line = guess > 0 ? std::min(static_cast<std::size_t>(guess), count - 1) : 0;
+  // What was computed may be a line off; the lines themselves decide.
+  while (line > 0 && value < first + static_cast<double>(line) * step) --line;
+  while (line + 1 < count && value >= first + static_cast<double>(line + 1) * step) ++line;
+  return line;
+}
+
+CellGrid::CellGrid(const Edges& edges) : edges_(edges) {
+  if (edges.edges.empty()) return;
+  const Point& first = edges.from(edges.edges[0]);
+  x0_ = x1_ = first.x, y0_ = y1_ = first.y;
+  for (const Index e : edges.edges) {
+    const Point& p = edges.from(e);
+    x0_ = std::min(x0_, p.x), x1_ = std::max(x1_, p.x);
+    y0_ = std::min(y0_, p.y), y1_ = std::max(y1_, p.y);
+  }
+  // Where an edge crosses a line is computed by six operations, each off by half a unit in its last place at most.
+  margin_ = 0x1p-49 * (std::max(std::fabs(x0_), std::fabs(x1_)) + (x1_ - x0_));
+  const std::size_t most = std::min(tuning::located_entries_an_edge * edges.edges.size(), most_entries);
+  std::size_t cells = tuning::located_cells_an_edge * edges.edges.size();
+  choose_size(cells);
+  while (!count_entries(most)) choose_size(cells /= 4);  // one cell has no more entries than there are edges
+  list_edges();
+  find_corners();
+}
+
+/// Cells about as high as they are wide, and not so narrow that their lines would coincide.
+void CellGrid::choose_size(std::size_t cells) {
+  const double width = x1_ - x0_, height = y1_ - y0_;
+  const auto lines = [&](double extent, double other, double largest) {
+    const double wanted = other > 0 ? std::sqrt(static_cast<double>(cells) * (extent / other)) : 1;
+    const double most = std::min(static_cast<double>(cells), extent / (0x1p-48 * largest));
+    return static_cast<std::size_t>(std::max(1.0, std::floor(std::min(wanted, most))));
+  };
+  columns_ = lines(width, height, std::max(std::fabs(x0_), std::fabs(x1_)));
+  rows_ = std::min(lines(height, width, std::max(std::fabs(y0_), std::fabs(y1_))), cells / columns_ + 1);
+  width_ = width / static_cast<double>(columns_);
+  height_ = height / static_cast<double>(rows_);
+}
+
+template <class Visit>
+void CellGrid::for_each_row(Index edge, const Visit& visit) const {
+  const Point &low = edges_.lower(edge), &high = edges_.upper(edge);
+  const double left = std::min(low.x, high.x), right = std::max(low.x, high.x);
+  const std::size_t last_row = row_of(high.y);
+  const double dx = high.x - low.x, dy = high.y - low.y;
+  const auto crossing = [&](std::size_t row) { return low.x + dx * ((row_line(row) - low.y) / dy); };
+  double from = low.x;
+  for (std::size_t row = row_of(low.y); row <= last_row; ++row) {
+    const double to = row == last_row ? high.x : crossing(row + 1);
+    const double first = std::max(left, std::min(from, to) - margin_);
+    const double last = std::min(right, std::max(from, to) + margin_);
+    visit(row, column_of(first), column_of(last) + 1);
+    from = to;
+  }
+}
+
+/// Into the beginnings of lists one cell on; false as soon as there are more than `most`.
+bool CellGrid::count_entries(std::size_t most) {
+  cells_.assign(columns_ * rows_ + 1, 0);
+  Steps steps(edges_.edges.size());
+  std::size_t entries = 0;
+  for (const Index e : edges_.edges) {
+    steps();
+    for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
+      entries += past - column;
+      for (; column < past && entries <= most; ++column) ++cells_[row * columns_ + column + 1];
+    });
+    if (entries > most) return false;
+  }
+  return true;
+}
+
+void CellGrid::list_edges() {
+  for (std::size_t c = 1; c < cells_.size(); ++c) {
+    has_crowds_ = has_crowds_ || cells_[c] > tuning::looked_at_in_a_cell;
+    cells_[c] += cells_[c - 1];
+  }
+  lists_.resize(cells_.back());
+  Steps steps(edges_.edges.size());
+  for (const Index e : edges_.edges) {
+    steps();
+    for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
+      for (; column < past; ++column) lists_[cells_[row * columns_ + column]++] = e;
+    });
+  }
+  // Each beginning has moved to its end.
+  for (std::size_t c = cells_.size() - 1; c > 0; --c) cells_[c] = 2 * cells_[c - 1];
+  cells_[0] = 0;
+}
+
+/// Of the corners along a row's lower line, which the edge crosses: the first that it passes left of.
+std::size_t CellGrid::first_corner_right_of(Index edge, double y) const {
+  const Point &from = edges_.from(edge), &to = edges_.to(edge);
+  const auto is_right = [&](std::size_t column) {
+    const double x = column_line(column);
+    if (std::min(from.x, to.x) > x) return false;
+    if (std::max(from.x, to.x) <= x) return true;
+    return passes_left(from, to, orientation(from, to, {x, y}));
+  };
+  std::size_t column = column_of(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)));
+  while (column > 0 && is_right(column - 1)) --column;
+  while (column < columns_ && !is_right(column)) ++column;
+  return column;
+}
+
+void CellGrid::find_corners() {
+  for (const Index e : edges_.edges) {
+    const double low = edges_.lower(e).y, high = edges_.upper(e).y;
+    for (std::size_t row = row_of(low), last = row_of(high); row <= last; ++row) {
+      const double y = row_line(row);
+      if (!(low < y && y <= high)) continue;
+      const std::size_t column = first_corner_right_of(e, y);
+      if (column < columns_) cells_[row * columns_ + column] ^= 1;
+    }
+  }
+  for (std::size_t row = 0; row < rows_; ++row)
+    for (std::size_t c = row * columns_ + 1; c < (row + 1) * columns_; ++c) cells_[c] ^= cells_[c - 1] & 1;
+}
+
+CellAnswer CellGrid::locate(const Point& p) const {
+  if (!(p.x >= x0_ && p.x <= x1_ && p.y >= y0_ && p.y <= y1_) || cells_.empty()) return CellAnswer::outside;
+  const std::size_t column = column_of(p.x), row = row_of(p.y), cell = row * columns_ + column;
+  bool inside = (cells_[cell] & 1) != 0;
+  const std::uint32_t begin = cells_[cell] >> 1, end = cells_[cell + 1] >> 1;
+  if (end - begin > tuning::looked_at_in_a_cell) return CellAnswer::crowded;
+  if (begin == end) return inside ? CellAnswer::inside : CellAnswer::outside;
+  const Point q{p.x, row_line(row)}, corner{column_line(column), q.y};
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Point &from = edges_.from(lists_[i]), &to = edges_.to(lists_[i]);
+    const auto [left, right] = std::minmax(from.x, to.x);
+    const auto [low, high] = std::minmax(from.y, to.y);
+    const bool over = crosses(from.x, to.x, p.x), across = (from.y < q.y) != (to.y < q.y);
+    const bool rightward = from.x < to.x;
+    // Only where a box holds a point the exact side is asked for.
+    bool below_p = p.y > high;
+    if (p.y >= low && p.y <= high && p.x >= left && p.x <= right) {
+      const int side = orientation(from, to, p);
+      if (side == 0) return CellAnswer::boundary;
+      below_p = (side > 0) == rightward;
+    }
+    bool below_q = q.y > high, left_of_q = right <= q.x;
+    if ((over || across) && q.y >= low && q.y <= high && q.x >= left && q.x < right) {
+      const int side = orientation(from, to, q);
+      below_q = side != 0 && (side > 0) == rightward;
+      left_of_q = passes_left(from, to, side);
+    }
+    inside ^= over && below_p != below_q;
+    if (!across || left > q.x) continue;
+    bool left_of_corner = right <= corner.x;
+    if (!left_of_corner && left <= corner.x) left_of_corner = passes_left(from, to, orientation(from, to, corner));
+    inside ^= left_of_q != left_of_corner;
+  }
+  return inside ? CellAnswer::inside : CellAnswer::outside;
+}
+
+}  // namespace oblast::internal::locate

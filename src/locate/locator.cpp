@@ -1,0 +1,108 @@
+// Points by the cell of a grid that they are in; those in crowded cells by the tree of slabs.
+#include <oblast/domain.h>
+#include <oblast/locator.h>
+
+#include <cmath>
+#include <optional>
+
+#include "base/public_call.h"
+#include "locate/cell_grid.h"
+#include "locate/slab_tree.h"
+#include "regions/validate.h"
+
+namespace oblast {
+using namespace internal;
+namespace {
+
+locate::Edges edges_of(const RegionView& regions) {
+  locate::Edges result;
+  result.points.reserve(regions.points.size() + regions.contour_count());
+  result.edges.reserve(regions.points.size());
+  for (const std::span<const Point> contour : regions.contours()) {
+    const auto add = [&](const Point& p, std::size_t first) {
+      if (result.points.size() > first) {
+        if (result.points.back() == p) return;
+        result.edges.push_back(static_cast<locate::Index>(result.points.size() - 1));
+      }
+      result.points.push_back({p.x + 0.0, p.y + 0.0});  // -0.0 becomes 0.0
+    };
+    const std::size_t first = result.points.size();
+    for (const Point& p : contour) add(p, first);
+    if (!contour.empty()) add(contour.front(), first);
+  }
+  return result;
+}
+
+/// The modes of floating point that exact arithmetic needs, where the caller has others. For work without a call.
+class DefaultModes {
+ public:
+  DefaultModes() : found_(FloatingPoint::current()) {
+    differ_ = !found_.same_modes(FloatingPoint::default_modes());
+    if (differ_) FloatingPoint::default_modes().set();
+  }
+  DefaultModes(const DefaultModes&) = delete;
+  DefaultModes& operator=(const DefaultModes&) = delete;
+  ~DefaultModes() {
+    if (differ_) found_.set();
+  }
+
+ private:
+  FloatingPoint found_;
+  bool differ_;
+};
+
+}  // namespace
+
+struct Locator::Prepared {
+  explicit Prepared(const RegionView& regions) : edges(edges_of(regions)), grid(edges) {
+    if (!grid.has_crowds()) return;
+    const Charge charge(edges.edges.size() * locate::SlabTree::bytes_an_edge);
+    slabs.emplace(edges);
+  }
+
+  [[gnu::noinline]] Location locate(const Point& p) const {
+    const locate::CellAnswer answer = grid.locate(p);
+    return answer == locate::CellAnswer::crowded ? slabs->locate(p) : static_cast<Location>(answer);
+  }
+
+  locate::Edges edges;
+  locate::CellGrid grid;
+  std::optional<locate::SlabTree> slabs;
+};
+
+static_assert(static_cast<Location>(locate::CellAnswer::inside) == Location::inside);
+static_assert(static_cast<Location>(locate::CellAnswer::boundary) == Location::boundary);
+
+Locator::Locator(const RegionView& regions, const CallOptions& options)
+    : prepared_(public_call(options, regions.points.size(), [&](Control&) {
+        validate(regions, 0);
+        check_count(regions.points.size() + regions.contour_count(), "points of closed contours");
+        const std::size_t points = regions.points.size() + regions.contour_count();
+        const Charge charge(points * (sizeof(Point) + sizeof(locate::Index) + locate::CellGrid::most_bytes_an_edge));
+        return std::make_unique<const Prepared>(regions);
+      })) {}
+
+Locator::~Locator() = default;
+Locator::Locator(Locator&&) noexcept = default;
+Locator& Locator::operator=(Locator&&) noexcept = default;
+
+Location Locator::locate(const Point& point) const {
+  if (!in_domain(point.x) || !in_domain(point.y)) validate({&point, 1});
+  const DefaultModes modes;
+  return prepared_->locate(point);
+}
+
+void Locator::locate(std::span<const Point> points, std::span<Location> locations, const CallOptions& options) const {
+  if (points.size() != locations.size())
+    throw Error(ErrorCode::precondition, "there are " + std::to_string(points.size()) + " points, but " +
+                                             std::to_string(locations.size()) + " locations");
+  (void)public_call(options, points.size(), [&](Control&) {
+    validate(points);
+    for_ranges(points.size(), tuning::queries_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) locations[i] = prepared_->locate(points[i]);
+    });
+    return true;
+  });
+}
+
+}  // namespace oblast

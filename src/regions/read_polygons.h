@@ -1,0 +1,70 @@
+// What readers of polygons have in common: rings come one by one, and leave their closing point behind.
+#pragma once
+
+#include <oblast/domain.h>
+#include <oblast/error.h>
+#include <oblast/region_set.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "base/index.h"
+#include "base/memory_budget.h"
+
+namespace oblast::internal {
+
+/// Collections in collections that readers follow: each is a frame of their stack.
+inline constexpr int deepest_collection = 64;
+
+/// Throws Error: not_finite, out_of_domain.
+inline double checked_coordinate(double value, std::size_t byte) {
+  if (in_domain(value)) [[likely]]
+    return value;
+  Place place;
+  place.byte = byte;
+  const bool finite = std::isfinite(value);
+  throw Error(finite ? ErrorCode::out_of_domain : ErrorCode::not_finite,
+              std::string(finite ? "coordinate outside the domain: its magnitude must be 0 or between 2^-300 and 2^300"
+                                 : "coordinate is not a finite number") +
+                  ", at byte " + std::to_string(byte),
+              place);
+}
+
+/// Polygons as a file has them: empty rings and polygons are left out.
+class PolygonCollector {
+ public:
+  void begin_polygon() { contours_before_ = regions_.contour_ends.size(); }
+  void add(const Point& p) {
+    if (regions_.points.size() == regions_.points.capacity()) make_room();
+    regions_.points.push_back(p);
+  }
+  void end_ring() {
+    const std::size_t begin = regions_.contour_ends.empty() ? 0 : regions_.contour_ends.back();
+    std::size_t size = regions_.points.size() - begin;
+    if (size > 1 && regions_.points.back() == regions_.points[begin]) regions_.points.pop_back(), --size;
+    if (size > 0) regions_.contour_ends.push_back(checked_index(begin + size, "vertices", most_vertices));
+  }
+  void end_polygon() {
+    if (regions_.contour_ends.size() > contours_before_)
+      regions_.polygon_ends.push_back(static_cast<std::uint32_t>(regions_.contour_ends.size()));
+  }
+
+  RegionSet take() { return std::move(regions_); }
+
+ private:
+  void make_room() {
+    const std::size_t room = regions_.points.size() < 16 ? 16 : 2 * regions_.points.size();
+    check_count(regions_.points.size(), "vertices", most_vertices);
+    Charge charge(room * sizeof(Point));
+    regions_.points.reserve(room);
+    charge_ = std::move(charge);
+  }
+
+  RegionSet regions_;
+  std::size_t contours_before_ = 0;
+  Charge charge_;  ///< for the points, most of it
+};
+
+}  // namespace oblast::internal
