@@ -1,12 +1,18 @@
-// Overlays and triangulation, with all they need. The papers' other algorithms have headers of their own: classics.h,
-// hull.h, layers.h.
+// Overlays, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers' other algorithms have
+// headers of their own: classics.h, hull.h, layers.h. c.h is the C interface.
 #pragma once
 
 #include <oblast/domain.h>
 #include <oblast/error.h>
+#include <oblast/locator.h>
+#include <oblast/measure.h>
 #include <oblast/options.h>
 #include <oblast/overlay.h>
 #include <oblast/point.h>
+#include <oblast/region_builder.h>
 #include <oblast/region_set.h>
 #include <oblast/triangulate.h>
+#include <oblast/version.h>
+#include <oblast/wkb.h>
+#include <oblast/wkt.h>
 #include <oblast/workspace.h>

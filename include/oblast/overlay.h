@@ -1,4 +1,4 @@
-// The two functions of the library.
+// Overlay and union: what the library is for.
 #pragma once
 
 #include <oblast/error.h>
@@ -23,8 +23,17 @@ namespace oblast {
 OBLAST_API RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation,
                              const Options& options = {});
 
+/// The same into `result`, in whose arrays it is put where they have room, so that calls in a row need no new ones. An
+/// operand may be a view of `result` or of a part of it; then the arrays are new. Where something is thrown, `result`
+/// is as it was or empty.
+OBLAST_API void overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options,
+                        RegionSet& result);
+
 /// The union of any number of polygons in one pass; `options.fill_a` is its rule.
 /// `unite(unite(x)) == unite(x)`, bit for bit. Cost and errors as for `overlay`.
 OBLAST_API RegionSet unite(const RegionView& regions, const Options& options = {});
+
+/// The same into `result`, as above.
+OBLAST_API void unite(const RegionView& regions, const Options& options, RegionSet& result);
 
 }  // namespace oblast

@@ -140,7 +140,7 @@ void Sweep::run(Array<Below>& answers) {
 
   // Nodes of runs that finished are used again for others: allocations as many as the status is large. (libstdc++'s
   // pool resource would do the same, but crashes when memory runs out.)
-  std::set<std::uint32_t, Lower> status(Lower{this});
+  std::set<std::uint32_t, Lower, CallAllocator<std::uint32_t>> status(Lower{this});
   Array<decltype(status)::node_type> spare;
   const auto insert = [&](std::uint32_t run) {
     if (spare.empty()) return status.insert(run).first;

@@ -25,12 +25,12 @@ bool passes_left(const Point& from, const Point& to, int side) {
 
 }  // namespace
 
-std::size_t CellGrid::line_of(double value, double first, double step, std::size_t count) {
-  const double guess = step > 0 ? (value - first) / step : 0;
+std::size_t CellGrid::Lines::at(double value) const {
+  const double guess = (value - first) * lines_a_unit;
   std::size_t line = guess > 0 ? std::min(static_cast<std::size_t>(guess), count - 1) : 0;
-  // What was computed may be a line off; the lines themselves decide.
-  while (line > 0 && value < first + static_cast<double>(line) * step) --line;
-  while (line + 1 < count && value >= first + static_cast<double>(line + 1) * step) ++line;
+  // What was computed may be a line or two off; the lines themselves decide.
+  while (line > 0 && value < (*this)[line]) --line;
+  while (line + 1 < count && value >= (*this)[line + 1]) ++line;
   return line;
 }
 
@@ -45,8 +45,9 @@ CellGrid::CellGrid(const Edges& edges) : edges_(edges) {
   }
   // Where an edge crosses a line is computed by six operations, each off by half a unit in its last place at most.
   margin_ = 0x1p-49 * (std::max(std::fabs(x0_), std::fabs(x1_)) + (x1_ - x0_));
-  const std::size_t most = std::min(tuning::located_entries_an_edge * edges.edges.size(), most_entries);
-  std::size_t cells = tuning::located_cells_an_edge * edges.edges.size();
+  const std::size_t most =
+      std::min(tuning::located_entries_an_edge * edges.edges.size() + tuning::located_cells_besides, most_entries);
+  std::size_t cells = tuning::located_cells_an_edge * edges.edges.size() + tuning::located_cells_besides;
   choose_size(cells);
   while (!count_entries(most)) choose_size(cells /= 4);  // one cell has no more entries than there are edges
   list_edges();
@@ -61,39 +62,40 @@ void CellGrid::choose_size(std::size_t cells) {
     const double most = std::min(static_cast<double>(cells), extent / (0x1p-48 * largest));
     return static_cast<std::size_t>(std::max(1.0, std::floor(std::min(wanted, most))));
   };
-  columns_ = lines(width, height, std::max(std::fabs(x0_), std::fabs(x1_)));
-  rows_ = std::min(lines(height, width, std::max(std::fabs(y0_), std::fabs(y1_))), cells / columns_ + 1);
-  width_ = width / static_cast<double>(columns_);
-  height_ = height / static_cast<double>(rows_);
+  const std::size_t columns = lines(width, height, std::max(std::fabs(x0_), std::fabs(x1_)));
+  const std::size_t rows =
+      std::min(lines(height, width, std::max(std::fabs(y0_), std::fabs(y1_))), cells / columns + 1);
+  columns_ = Lines(x0_, width, columns);
+  rows_ = Lines(y0_, height, rows);
 }
 
 template <class Visit>
 void CellGrid::for_each_row(Index edge, const Visit& visit) const {
   const Point &low = edges_.lower(edge), &high = edges_.upper(edge);
   const double left = std::min(low.x, high.x), right = std::max(low.x, high.x);
-  const std::size_t last_row = row_of(high.y);
+  const std::size_t last_row = rows_.at(high.y);
   const double dx = high.x - low.x, dy = high.y - low.y;
-  const auto crossing = [&](std::size_t row) { return low.x + dx * ((row_line(row) - low.y) / dy); };
+  const auto crossing = [&](std::size_t row) { return low.x + dx * ((rows_[row] - low.y) / dy); };
   double from = low.x;
-  for (std::size_t row = row_of(low.y); row <= last_row; ++row) {
+  for (std::size_t row = rows_.at(low.y); row <= last_row; ++row) {
     const double to = row == last_row ? high.x : crossing(row + 1);
     const double first = std::max(left, std::min(from, to) - margin_);
     const double last = std::min(right, std::max(from, to) + margin_);
-    visit(row, column_of(first), column_of(last) + 1);
+    visit(row, columns_.at(first), columns_.at(last) + 1);
     from = to;
   }
 }
 
 /// Into the beginnings of lists one cell on; false as soon as there are more than `most`.
 bool CellGrid::count_entries(std::size_t most) {
-  cells_.assign(columns_ * rows_ + 1, 0);
+  cells_.assign(columns_.count * rows_.count + 1, 0);
   Steps steps(edges_.edges.size());
   std::size_t entries = 0;
   for (const Index e : edges_.edges) {
     steps();
     for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
       entries += past - column;
-      for (; column < past && entries <= most; ++column) ++cells_[row * columns_ + column + 1];
+      for (; column < past && entries <= most; ++column) ++cells_[row * columns_.count + column + 1];
     });
     if (entries > most) return false;
   }
@@ -110,7 +112,7 @@ void CellGrid::list_edges() {
   for (const Index e : edges_.edges) {
     steps();
     for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
-      for (; column < past; ++column) lists_[cells_[row * columns_ + column]++] = e;
+      for (; column < past; ++column) lists_[cells_[row * columns_.count + column]++] = e;
     });
   }
   // Each beginning has moved to its end.
@@ -122,39 +124,39 @@ void CellGrid::list_edges() {
 std::size_t CellGrid::first_corner_right_of(Index edge, double y) const {
   const Point &from = edges_.from(edge), &to = edges_.to(edge);
   const auto is_right = [&](std::size_t column) {
-    const double x = column_line(column);
+    const double x = columns_[column];
     if (std::min(from.x, to.x) > x) return false;
     if (std::max(from.x, to.x) <= x) return true;
     return passes_left(from, to, orientation(from, to, {x, y}));
   };
-  std::size_t column = column_of(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)));
+  std::size_t column = columns_.at(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y)));
   while (column > 0 && is_right(column - 1)) --column;
-  while (column < columns_ && !is_right(column)) ++column;
+  while (column < columns_.count && !is_right(column)) ++column;
   return column;
 }
 
 void CellGrid::find_corners() {
   for (const Index e : edges_.edges) {
     const double low = edges_.lower(e).y, high = edges_.upper(e).y;
-    for (std::size_t row = row_of(low), last = row_of(high); row <= last; ++row) {
-      const double y = row_line(row);
+    for (std::size_t row = rows_.at(low), last = rows_.at(high); row <= last; ++row) {
+      const double y = rows_[row];
       if (!(low < y && y <= high)) continue;
       const std::size_t column = first_corner_right_of(e, y);
-      if (column < columns_) cells_[row * columns_ + column] ^= 1;
+      if (column < columns_.count) cells_[row * columns_.count + column] ^= 1;
     }
   }
-  for (std::size_t row = 0; row < rows_; ++row)
-    for (std::size_t c = row * columns_ + 1; c < (row + 1) * columns_; ++c) cells_[c] ^= cells_[c - 1] & 1;
+  for (std::size_t row = 0; row < rows_.count; ++row)
+    for (std::size_t c = row * columns_.count + 1; c < (row + 1) * columns_.count; ++c) cells_[c] ^= cells_[c - 1] & 1;
 }
 
 CellAnswer CellGrid::locate(const Point& p) const {
   if (!(p.x >= x0_ && p.x <= x1_ && p.y >= y0_ && p.y <= y1_) || cells_.empty()) return CellAnswer::outside;
-  const std::size_t column = column_of(p.x), row = row_of(p.y), cell = row * columns_ + column;
+  const std::size_t column = columns_.at(p.x), row = rows_.at(p.y), cell = row * columns_.count + column;
   bool inside = (cells_[cell] & 1) != 0;
   const std::uint32_t begin = cells_[cell] >> 1, end = cells_[cell + 1] >> 1;
   if (end - begin > tuning::looked_at_in_a_cell) return CellAnswer::crowded;
   if (begin == end) return inside ? CellAnswer::inside : CellAnswer::outside;
-  const Point q{p.x, row_line(row)}, corner{column_line(column), q.y};
+  const Point q{p.x, rows_[row]}, corner{columns_[column], q.y};
   for (std::uint32_t i = begin; i < end; ++i) {
     const Point &from = edges_.from(lists_[i]), &to = edges_.to(lists_[i]);
     const auto [left, right] = std::minmax(from.x, to.x);

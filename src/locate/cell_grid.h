@@ -42,12 +42,19 @@ class CellGrid {
   CellAnswer locate(const Point& p) const;
 
  private:
-  std::size_t column_of(double x) const { return line_of(x, x0_, width_, columns_); }
-  std::size_t row_of(double y) const { return line_of(y, y0_, height_, rows_); }
-  double column_line(std::size_t column) const { return x0_ + static_cast<double>(column) * width_; }
-  double row_line(std::size_t row) const { return y0_ + static_cast<double>(row) * height_; }
-  /// The last line at or before a value, that is not before the first one. Lines increase.
-  static std::size_t line_of(double value, double first, double step, std::size_t count);
+  /// Lines that part the columns, or the rows. They increase.
+  struct Lines {
+    Lines() = default;
+    Lines(double from, double extent, std::size_t lines)
+        : first(from), step(extent / static_cast<double>(lines)), lines_a_unit(step > 0 ? 1 / step : 0), count(lines) {}
+
+    double operator[](std::size_t line) const { return first + static_cast<double>(line) * step; }
+    /// The last line at or before a value that is not before the first one.
+    std::size_t at(double value) const;
+
+    double first = 0, step = 0, lines_a_unit = 0;
+    std::size_t count = 0;
+  };
 
   void choose_size(std::size_t cells);
   bool count_entries(std::size_t most);
@@ -59,8 +66,8 @@ class CellGrid {
   std::size_t first_corner_right_of(Index edge, double y) const;
 
   const Edges& edges_;
-  double x0_ = 0, y0_ = 0, x1_ = 0, y1_ = 0, width_ = 0, height_ = 0, margin_ = 0;
-  std::size_t columns_ = 0, rows_ = 0;
+  double x0_ = 0, y0_ = 0, x1_ = 0, y1_ = 0, margin_ = 0;
+  Lines columns_, rows_;
   std::vector<std::uint32_t> cells_;  ///< by cell: twice where its list begins, and whether its corner is inside
   std::vector<Index> lists_;
   bool has_crowds_ = false;

@@ -61,7 +61,7 @@ class Batches {
 };
 
 PipelineResult overlay_batches(noding::Strands strands, const IndependentParts& parts, const Job& job,
-                               Statistics& statistics, const OverlayStrands& overlay_strands) {
+                               Statistics& statistics, RegionSet spare, const OverlayStrands& overlay_strands) {
   const auto begin = std::chrono::steady_clock::now();
   Array<Statistics> done(parts.size());
   Array<RegionSet> regions(parts.size());
@@ -79,7 +79,7 @@ PipelineResult overlay_batches(noding::Strands strands, const IndependentParts& 
         isolated([&] {
           noding::Strands part = batches.take(i);
           const Share share(share_of_all, static_cast<double>(part.points.size()) / vertices);
-          PipelineResult result = overlay_strands(std::move(part), done[i]);
+          PipelineResult result = overlay_strands(std::move(part), done[i], {});
           regions[i] = std::move(result.regions);
           charges[i] = std::move(result.charge);
           if (result.touches) touches = true;
@@ -94,25 +94,26 @@ PipelineResult overlay_batches(noding::Strands strands, const IndependentParts& 
   std::size_t bytes = 0;
   for (const RegionSet& part : regions) bytes += bytes_of(part);
   Charge charge(bytes);
-  return {std::move(charge), join(std::move(regions)), touches};
+  return {std::move(charge), join(std::move(regions), std::move(spare)), touches};
 }
 
 }  // namespace
 
-PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics,
+PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics, RegionSet spare,
                           const OverlayStrands& overlay_strands) {
-  if (!worth_dividing(strands)) return overlay_strands(std::move(strands), statistics);
+  if (!worth_dividing(strands)) return overlay_strands(std::move(strands), statistics, std::move(spare));
   IndependentParts parts;
   {
     const InStage stage(Stage::collect, parting_share, job.control, statistics);
     const bool both = job.operation == Operation::intersection;
     parts = independent_parts(strands, {both || job.operation == Operation::difference, both});
   }
-  if (parts.size() != 1) return overlay_batches(std::move(strands), parts, job, statistics, overlay_strands);
+  if (parts.size() != 1)
+    return overlay_batches(std::move(strands), parts, job, statistics, std::move(spare), overlay_strands);
   // One batch of all strands as they are is not copied.
   if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
     strands = only_batch(std::move(strands), parts, 0);
-  return overlay_strands(std::move(strands), statistics);
+  return overlay_strands(std::move(strands), statistics, std::move(spare));
 }
 
 }  // namespace oblast::internal

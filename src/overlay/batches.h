@@ -9,10 +9,10 @@
 namespace oblast::internal {
 
 /// Stages 2 to 6 on some of the strands.
-using OverlayStrands = std::function<PipelineResult(noding::Strands batch, Statistics& statistics)>;
+using OverlayStrands = std::function<PipelineResult(noding::Strands batch, Statistics& statistics, RegionSet spare)>;
 
 /// The results of all batches put together. A small input, and one that does not fall into parts, is one batch.
-PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics,
+PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics, RegionSet spare,
                           const OverlayStrands& overlay_strands);
 
 }  // namespace oblast::internal

@@ -80,13 +80,14 @@ Outline outline(noding::Strands strands, const Job& job, Statistics& statistics)
   return link_stage(graph, selection, job, statistics);                                                   // 5
 }
 
-PipelineResult assemble_stage(Rings rings, const Nesting& nesting, const Job& job, Statistics& statistics) {
+PipelineResult assemble_stage(Rings rings, const Nesting& nesting, const Job& job, Statistics& statistics,
+                              RegionSet spare) {
   const InStage stage(Stage::assemble, 1, job.control, statistics);
   const bool touches =
       std::any_of(rings.flags.begin(), rings.flags.end(), [](std::uint8_t f) { return (f & touch_vertex) != 0; });
   rings = remove_traces(std::move(rings), job.options.collinear);
   Charge charge(bytes_of_regions(rings.points.size(), rings.size(), nesting.polygon_count));
-  return {std::move(charge), assemble(rings, nesting), touches};
+  return {std::move(charge), assemble(rings, nesting, std::move(spare)), touches};
 }
 
 }  // namespace
@@ -103,16 +104,18 @@ Resolve resolve_by_pipeline(Control& control) {
   };
 }
 
-PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics) {
+PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics,
+                            RegionSet spare) {
   noding::Strands strands;
   {
     const InStage stage(Stage::collect, collect_share, job.control, statistics);
     strands = collect(a, b, job.options, resolve_by_pipeline(job.control), statistics.resolved_polygons);  // 1
   }
-  return in_batches(std::move(strands), job, statistics, [&](noding::Strands batch, Statistics& of_batch) {
-    Outline contours = outline(std::move(batch), job, of_batch);                        // 2 to 5
-    return assemble_stage(std::move(contours.rings), contours.nesting, job, of_batch);  // 6
-  });
+  const auto overlay_strands = [&](noding::Strands batch, Statistics& of_batch, RegionSet arrays) {
+    Outline contours = outline(std::move(batch), job, of_batch);                                           // 2 to 5
+    return assemble_stage(std::move(contours.rings), contours.nesting, job, of_batch, std::move(arrays));  // 6
+  };
+  return in_batches(std::move(strands), job, statistics, std::move(spare), overlay_strands);
 }
 
 }  // namespace oblast::internal

@@ -23,8 +23,10 @@ struct PipelineResult {
   bool touches = false;  ///< some vertex is on the boundary more than once
 };
 
-/// Stages 1 to 6. `b` may be null: then the operation sees an empty B. Adds to the statistics.
-PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics);
+/// Stages 1 to 6. `b` may be null: then the operation sees an empty B. Adds to the statistics. The result comes in the
+/// arrays of `spare` where they have room.
+PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics,
+                            RegionSet spare = {});
 
 /// A polygon by itself: the whole pipeline under even_odd. For as long as `control` lives.
 Resolve resolve_by_pipeline(Control& control);

@@ -65,9 +65,17 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
   return rotation;
 }
 
+/// Without what is in its arrays; these stay.
+RegionSet emptied(RegionSet spare) {
+  spare.points.clear();
+  spare.contour_ends.clear();
+  spare.polygon_ends.clear();
+  return spare;
+}
+
 }  // namespace
 
-RegionSet assemble(const Rings& rings, const Nesting& nesting) {
+RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) {
   check_count(rings.points.size(), "vertices of the result", most_vertices);
   Array<Rotation> rotations(rings.size(), Rotation(rings));
   Array<PolygonKey> polygons(nesting.polygon_count);
@@ -88,7 +96,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
     return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
   });
 
-  RegionSet result;
+  RegionSet result = emptied(std::move(spare));
   resize_in_large_pages(result.points, rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
@@ -124,7 +132,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting) {
   return result;
 }
 
-RegionSet join(Array<RegionSet> parts) {
+RegionSet join(Array<RegionSet> parts, RegionSet spare) {
   if (parts.size() == 1) return std::move(parts[0]);
   struct Polygon {
     Point first;  // no other polygon starts there: parts have no point in common
@@ -147,7 +155,7 @@ RegionSet join(Array<RegionSet> parts) {
     return p.index < q.index;
   });
 
-  RegionSet result;
+  RegionSet result = emptied(std::move(spare));
   resize_in_large_pages(result.points, points);
   result.contour_ends.resize(contours);
   result.polygon_ends.resize(polygons.size());

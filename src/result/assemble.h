@@ -9,11 +9,12 @@
 namespace oblast::internal {
 
 /// Each contour from its smallest vertex (of several rotations the one whose sequence is smallest), the
-/// outer contour first, holes and polygons in the order of their sequences. Cost: O(n + z log z).
-RegionSet assemble(const Rings& rings, const Nesting& nesting);
+/// outer contour first, holes and polygons in the order of their sequences. Into the arrays of `spare`, whatever is in
+/// them. Cost: O(n + z log z).
+RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare = {});
 
 /// One region set of several, each in canonical order, that have no point in common. Cost: O(n + p log p),
 /// p polygons.
-RegionSet join(Array<RegionSet> parts);
+RegionSet join(Array<RegionSet> parts, RegionSet spare = {});
 
 }  // namespace oblast::internal

@@ -19,7 +19,7 @@ bool are_default(const Options& options) {
 }  // namespace
 
 std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, Operation operation,
-                                      const Options& options) {
+                                      const Options& options, RegionSet* spare) {
   const bool intersection = operation == Operation::intersection;
   if (operation == Operation::symmetric_difference || !are_default(options)) return {};
   const bool one_b = b.contour_count() == 1, one_a = a.contour_count() == 1;
@@ -36,7 +36,7 @@ std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, 
   const RegionView& subject = exchanged ? b : a;
   const SubjectKind kind = kind_of(subject);
   if (!intersection && (kind != SubjectKind::convex || subject.points.size() > Window::most_sides)) return {};
-  return WindowClip(subject, kind, *window, &memory).run(operation);
+  return WindowClip(subject, kind, *window, &memory).run(operation, spare);
 }
 
 }  // namespace oblast::internal::window

@@ -11,8 +11,9 @@ namespace oblast::internal::window {
 /// The result of `overlay`, byte for byte, where the operands have a form that is recognised at small cost and in
 /// general position (window_clip.h): any subject and a convex window of at most 64 sides, intersection; two such
 /// convex contours, union and difference. Nothing otherwise, and where the options ask for anything but the
-/// defaults. REQUIRES: both validated.
+/// defaults. The result has the arrays of `spare`, which is left alone in most cases where there is none.
+/// REQUIRES: both validated.
 std::optional<RegionSet> fast_overlay(const RegionView& a, const RegionView& b, Operation operation,
-                                      const Options& options);
+                                      const Options& options, RegionSet* spare = nullptr);
 
 }  // namespace oblast::internal::window

@@ -46,7 +46,7 @@ class WindowClip {
 
   /// subject op window, canonical; nothing when declined. REQUIRES: intersection, or a convex subject and union or
   /// difference. Cost: O(n + c log c), c edges near the window; for a small c just O(n).
-  std::optional<RegionSet> run(Operation operation);
+  std::optional<RegionSet> run(Operation operation, RegionSet* spare = nullptr);
 
   std::size_t crossing_count() const { return crossings_.size(); }
 

@@ -12,13 +12,15 @@
 
 namespace oblast::internal::window {
 
-std::optional<RegionSet> WindowClip::run(Operation operation) {
+std::optional<RegionSet> WindowClip::run(Operation operation, RegionSet* spare) {
   measure();
+  const bool reaches = find_reach(operation);
+  if (reaches && (!walk() || !order_along_perimeter() || !core_is_clear())) return {};
   RegionSet result;
-  if (find_reach(operation)) {
-    if (!walk() || !order_along_perimeter() || !core_is_clear()) return {};
-    join(operation, result);
-  }
+  if (spare) result = std::move(*spare);
+  result.points.clear();
+  result.contour_ends.clear();
+  if (reaches) join(operation, result);
   if (crossings_.empty() && std::accumulate(covers_.begin(), covers_.end(), 0) > 1 &&
       std::any_of(rings_.begin(), rings_.end(), is_inside))
     return {};
@@ -149,7 +151,7 @@ void WindowClip::add_uncrossed_pair(Operation operation, RegionSet& result) cons
 /// Canonical order. Nothing when polygons overlap after all.
 std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet result) const {
   const auto less = lexicographically_less;
-  const std::vector<Index> ends = std::move(result.contour_ends);
+  std::vector<Index> ends = std::move(result.contour_ends);
   Index begin = 0;
   Array<std::span<Point>> contours;
   for (const Index end : ends) {
@@ -168,13 +170,12 @@ std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet resul
   }
   for (const auto& contour : contours)
     std::rotate(contour.begin(), std::min_element(contour.begin(), contour.end(), less), contour.end());
-  RegionSet sorted;
   if (contours.size() == 1) {
-    sorted.points = std::move(result.points);
-    sorted.contour_ends = ends;
-    sorted.polygon_ends = {1};
-    return sorted;
+    result.contour_ends = std::move(ends);
+    result.polygon_ends.assign(1, 1);
+    return result;
   }
+  RegionSet sorted;
   std::sort(contours.begin(), contours.end(), [&](const auto& c, const auto& d) { return less(c[0], d[0]); });
   sorted.points.reserve(result.points.size());
   sorted.contour_ends.reserve(contours.size());
