@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <optional>
 
@@ -92,7 +93,11 @@ oblast_status make_regions(bool whole, oblast_regions** result, oblast_error* er
   if (!result) return report(error, OBLAST_NULL_POINTER, "result is NULL");
   *result = nullptr;
   if (!whole) return report(error, OBLAST_NULL_POINTER, "a view, or an array of a view, is NULL");
-  return guarded(error, [&] { *result = new oblast_regions{work()}; });
+  return guarded(error, [&] {
+    auto made = std::make_unique<oblast_regions>();
+    made->set = work();
+    *result = made.release();
+  });
 }
 
 }  // namespace
