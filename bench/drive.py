@@ -48,3 +48,8 @@ def drive(peer, path, operation, threads, timeout, repeat=1, dump=None):
         last = (done.stderr.strip().splitlines() or [""])[-1]
         return [{"error": f"exit code {done.returncode}: {last}"[:200]}]
     return lines
+
+
+def repeats_of_a_round(seconds):
+    """How often a run that takes so long is repeated within a round."""
+    return max(1, min(200, round(ROUND_SECONDS / max(seconds, 1e-9))))

@@ -115,4 +115,23 @@ class WithFloatingPoint {
   FloatingPoint found_;
 };
 
+/// The same with the default modes, but flags stay as the work leaves them: for work of some ten nanoseconds without a
+/// call (Locator::locate of one point), of which reading the flags again takes a third.
+class WithDefaultModes {
+ public:
+  WithDefaultModes() : found_(FloatingPoint::current()) {
+    differ_ = !found_.same_modes(FloatingPoint::default_modes());
+    if (differ_) FloatingPoint::default_modes().set();
+  }
+  WithDefaultModes(const WithDefaultModes&) = delete;
+  WithDefaultModes& operator=(const WithDefaultModes&) = delete;
+  ~WithDefaultModes() {
+    if (differ_) found_.set();
+  }
+
+ private:
+  FloatingPoint found_;
+  bool differ_;
+};
+
 }  // namespace oblast::internal

@@ -37,14 +37,10 @@ std::size_t CellGrid::Lines::at(double value) const {
 CellGrid::CellGrid(const Edges& edges) : edges_(edges) {
   if (edges.edges.empty()) return;
   const Point& first = edges.from(edges.edges[0]);
-  x0_ = x1_ = first.x, y0_ = y1_ = first.y;
-  for (const Index e : edges.edges) {
-    const Point& p = edges.from(e);
-    x0_ = std::min(x0_, p.x), x1_ = std::max(x1_, p.x);
-    y0_ = std::min(y0_, p.y), y1_ = std::max(y1_, p.y);
-  }
+  box_ = Box::of(first, first);
+  for (const Index e : edges.edges) box_ = box_.joined(edges.from(e));
   // Where an edge crosses a line is computed by six operations, each off by half a unit in its last place at most.
-  margin_ = 0x1p-49 * (std::max(std::fabs(x0_), std::fabs(x1_)) + (x1_ - x0_));
+  margin_ = 0x1p-49 * (std::max(std::fabs(box_.x0), std::fabs(box_.x1)) + (box_.x1 - box_.x0));
   const std::size_t most =
       std::min(tuning::located_entries_an_edge * edges.edges.size() + tuning::located_cells_besides, most_entries);
   std::size_t cells = tuning::located_cells_an_edge * edges.edges.size() + tuning::located_cells_besides;
@@ -56,17 +52,17 @@ CellGrid::CellGrid(const Edges& edges) : edges_(edges) {
 
 /// Cells about as high as they are wide, and not so narrow that their lines would coincide.
 void CellGrid::choose_size(std::size_t cells) {
-  const double width = x1_ - x0_, height = y1_ - y0_;
+  const double width = box_.x1 - box_.x0, height = box_.y1 - box_.y0;
   const auto lines = [&](double extent, double other, double largest) {
     const double wanted = other > 0 ? std::sqrt(static_cast<double>(cells) * (extent / other)) : 1;
     const double most = std::min(static_cast<double>(cells), extent / (0x1p-48 * largest));
     return static_cast<std::size_t>(std::max(1.0, std::floor(std::min(wanted, most))));
   };
-  const std::size_t columns = lines(width, height, std::max(std::fabs(x0_), std::fabs(x1_)));
+  const std::size_t columns = lines(width, height, std::max(std::fabs(box_.x0), std::fabs(box_.x1)));
   const std::size_t rows =
-      std::min(lines(height, width, std::max(std::fabs(y0_), std::fabs(y1_))), cells / columns + 1);
-  columns_ = Lines(x0_, width, columns);
-  rows_ = Lines(y0_, height, rows);
+      std::min(lines(height, width, std::max(std::fabs(box_.y0), std::fabs(box_.y1))), cells / columns + 1);
+  columns_ = Lines(box_.x0, width, columns);
+  rows_ = Lines(box_.y0, height, rows);
 }
 
 template <class Visit>
@@ -150,7 +146,7 @@ void CellGrid::find_corners() {
 }
 
 CellAnswer CellGrid::locate(const Point& p) const {
-  if (!(p.x >= x0_ && p.x <= x1_ && p.y >= y0_ && p.y <= y1_) || cells_.empty()) return CellAnswer::outside;
+  if (!box_.contains(p) || cells_.empty()) return CellAnswer::outside;
   const std::size_t column = columns_.at(p.x), row = rows_.at(p.y), cell = row * columns_.count + column;
   bool inside = (cells_[cell] & 1) != 0;
   const std::uint32_t begin = cells_[cell] >> 1, end = cells_[cell + 1] >> 1;

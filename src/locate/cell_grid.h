@@ -24,6 +24,7 @@
 
 #include "base/tuning.h"
 #include "locate/edges.h"
+#include "plane/box.h"
 
 namespace oblast::internal::locate {
 
@@ -66,7 +67,8 @@ class CellGrid {
   std::size_t first_corner_right_of(Index edge, double y) const;
 
   const Edges& edges_;
-  double x0_ = 0, y0_ = 0, x1_ = 0, y1_ = 0, margin_ = 0;
+  Box box_{};
+  double margin_ = 0;
   Lines columns_, rows_;
   std::vector<std::uint32_t> cells_;  ///< by cell: twice where its list begins, and whether its corner is inside
   std::vector<Index> lists_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/floating_point.h"
 #include "base/public_call.h"
 #include "locate/cell_grid.h"
 #include "locate/slab_tree.h"
@@ -33,24 +34,6 @@ locate::Edges edges_of(const RegionView& regions) {
   return result;
 }
 
-/// The modes of floating point that exact arithmetic needs, where the caller has others. For work without a call.
-class DefaultModes {
- public:
-  DefaultModes() : found_(FloatingPoint::current()) {
-    differ_ = !found_.same_modes(FloatingPoint::default_modes());
-    if (differ_) FloatingPoint::default_modes().set();
-  }
-  DefaultModes(const DefaultModes&) = delete;
-  DefaultModes& operator=(const DefaultModes&) = delete;
-  ~DefaultModes() {
-    if (differ_) found_.set();
-  }
-
- private:
-  FloatingPoint found_;
-  bool differ_;
-};
-
 }  // namespace
 
 struct Locator::Prepared {
@@ -76,8 +59,8 @@ static_assert(static_cast<Location>(locate::CellAnswer::boundary) == Location::b
 Locator::Locator(const RegionView& regions, const CallOptions& options)
     : prepared_(public_call(options, regions.points.size(), [&](Control&) {
         validate(regions, 0);
-        check_count(regions.points.size() + regions.contour_count(), "points of closed contours");
         const std::size_t points = regions.points.size() + regions.contour_count();
+        check_count(points, "points of closed contours");
         const Charge charge(points * (sizeof(Point) + sizeof(locate::Index) + locate::CellGrid::most_bytes_an_edge));
         return std::make_unique<const Prepared>(regions);
       })) {}
@@ -88,7 +71,7 @@ Locator& Locator::operator=(Locator&&) noexcept = default;
 
 Location Locator::locate(const Point& point) const {
   if (!in_domain(point.x) || !in_domain(point.y)) validate({&point, 1});
-  const DefaultModes modes;
+  const WithDefaultModes modes;
   return prepared_->locate(point);
 }
 

@@ -1,9 +1,9 @@
 #include <oblast/measure.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/public_call.h"
+#include "plane/box.h"
 #include "regions/ring_area.h"
 #include "regions/validate.h"
 
@@ -35,11 +35,8 @@ double area_of(const RegionView& regions) {
 
 std::optional<oblast::Box> bounds_of(std::span<const Point> points) {
   if (points.empty()) return {};
-  oblast::Box box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const Point& p : points) {
-    box.x0 = std::min(box.x0, p.x), box.x1 = std::max(box.x1, p.x);
-    box.y0 = std::min(box.y0, p.y), box.y1 = std::max(box.y1, p.y);
-  }
+  internal::Box box = internal::Box::of(points[0], points[0]);
+  for (const Point& p : points) box = box.joined(p);
   return oblast::Box{box.x0 + 0.0, box.y0 + 0.0, box.x1 + 0.0, box.y1 + 0.0};  // -0.0 becomes 0.0
 }
 

@@ -12,24 +12,31 @@
 
 #include "base/index.h"
 #include "base/memory_budget.h"
+#include "regions/validate.h"
 
 namespace oblast::internal {
 
 /// Collections in collections that readers follow: each is a frame of their stack.
 inline constexpr int deepest_collection = 64;
 
+inline Place at_byte(std::size_t byte) {
+  Place place;
+  place.byte = byte;
+  return place;
+}
+
+/// The end of a message.
+inline std::string words_for_byte(std::size_t byte) { return ", at byte " + std::to_string(byte); }
+
+[[noreturn]] inline void throw_at_byte(ErrorCode code, const std::string& what, std::size_t byte) {
+  throw Error(code, what + words_for_byte(byte), at_byte(byte));
+}
+
 /// Throws Error: not_finite, out_of_domain.
 inline double checked_coordinate(double value, std::size_t byte) {
   if (in_domain(value)) [[likely]]
     return value;
-  Place place;
-  place.byte = byte;
-  const bool finite = std::isfinite(value);
-  throw Error(finite ? ErrorCode::out_of_domain : ErrorCode::not_finite,
-              std::string(finite ? "coordinate outside the domain: its magnitude must be 0 or between 2^-300 and 2^300"
-                                 : "coordinate is not a finite number") +
-                  ", at byte " + std::to_string(byte),
-              place);
+  throw_bad_coordinate(std::isfinite(value), at_byte(byte), words_for_byte(byte));
 }
 
 /// Polygons as a file has them: empty rings and polygons are left out.

@@ -33,11 +33,7 @@ void check_offsets(const RegionView& v, std::size_t operand) {
 }
 
 [[noreturn]] void throw_at(const Point& p, const Place& place) {
-  const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
-  throw Error(finite ? ErrorCode::out_of_domain : ErrorCode::not_finite,
-              finite ? "coordinate outside the domain: its magnitude must be 0 or between 2^-300 and 2^300"
-                     : "coordinate is not a finite number",
-              place);
+  throw_bad_coordinate(std::isfinite(p.x) && std::isfinite(p.y), place);
 }
 
 Place place_of(const RegionView& v, std::size_t operand, std::size_t vertex) {
@@ -61,6 +57,14 @@ std::size_t first_bad(std::span<const Point> points) {
 }
 
 }  // namespace
+
+void throw_bad_coordinate(bool finite, const Place& place, const std::string& where) {
+  throw Error(finite ? ErrorCode::out_of_domain : ErrorCode::not_finite,
+              (finite ? "coordinate outside the domain: its magnitude must be 0 or between 2^-300 and 2^300"
+                      : "coordinate is not a finite number") +
+                  where,
+              place);
+}
 
 void validate(const RegionView& operand, std::size_t operand_index) {
   check_offsets(operand, operand_index);

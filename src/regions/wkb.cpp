@@ -42,9 +42,7 @@ class WkbReader {
 
  private:
   [[noreturn]] static void fail(const std::string& what, std::size_t byte) {
-    Place place;
-    place.byte = byte;
-    throw Error(ErrorCode::bad_wkb, "not WKB of polygons: " + what + ", at byte " + std::to_string(byte), place);
+    throw_at_byte(ErrorCode::bad_wkb, "not WKB of polygons: " + what, byte);
   }
 
   std::size_t left() const { return bytes_.size() - at_; }

@@ -32,9 +32,7 @@ class WktReader {
  private:
   [[noreturn]] void fail(const std::string& what) const { fail(what, at_); }
   [[noreturn]] void fail(const std::string& what, const char* where) const {
-    Place place;
-    place.byte = byte(where);
-    throw Error(ErrorCode::bad_wkt, "not WKT of polygons: " + what + ", at byte " + std::to_string(place.byte), place);
+    throw_at_byte(ErrorCode::bad_wkt, "not WKT of polygons: " + what, byte(where));
   }
   std::size_t byte(const char* where) const { return static_cast<std::size_t>(where - begin_); }
 
@@ -150,12 +148,8 @@ class WktReader {
     const char* const first = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
     double value = 0;
     const auto [after, error] = std::from_chars(first, end_, value);
-    if (error == std::errc::result_out_of_range) {
-      Place place;
-      place.byte = byte(at_);
-      throw Error(ErrorCode::out_of_domain,
-                  "the number is too large or too small for a double, at byte " + std::to_string(place.byte), place);
-    }
+    if (error == std::errc::result_out_of_range)
+      throw_at_byte(ErrorCode::out_of_domain, "the number is too large or too small for a double", byte(at_));
     if (error != std::errc() || (first != at_ && *first == '-')) fail("expected a number");
     if (after != end_ && !is_space(*after) && *after != ',' && *after != ')') fail("expected a number");
     at_ = after;

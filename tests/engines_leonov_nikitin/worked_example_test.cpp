@@ -122,7 +122,7 @@ std::array<int, 2> outer_and_inner(const RegionSet& set) {
   return counts;
 }
 
-class EnginesOnWorkedExample : public testing::TestWithParam<Engine> {};
+class EnginesOnWorkedExample : public ::testing::TestWithParam<Engine> {};
 
 // Figure 9: "The union consists of one outer and two inner contours, difference and intersection of two outer
 // contours, the symmetric difference of three outer contours."
@@ -147,13 +147,13 @@ TEST_P(EnginesOnWorkedExample, contoursAreAsStated) {
   EXPECT_EQ(outer_and_inner(unite(region_b(), options)), (Counts{1, 1}));
 }
 
-std::string engine_name(const testing::TestParamInfo<Engine>& tested) {
+std::string engine_name(const ::testing::TestParamInfo<Engine>& tested) {
   static constexpr const char* names[] = {"leonov_nikitin", "vatti", "skvortsov"};
   return names[static_cast<int>(tested.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EnginesOnWorkedExample,
-                         testing::Values(Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov), engine_name);
+                         ::testing::Values(Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov), engine_name);
 
 }  // namespace
 }  // namespace oblast::internal

@@ -28,7 +28,7 @@ std::size_t compare(const ChainGraph& graph, const std::string& what) {
   return live;
 }
 
-class HostileLabels : public testing::TestWithParam<HostileGenerator> {};
+class HostileLabels : public ::testing::TestWithParam<HostileGenerator> {};
 
 TEST_P(HostileLabels, areThoseOfLeonovAndNikitin) {
   std::size_t live = 0;
@@ -48,7 +48,7 @@ TEST_P(HostileLabels, areThoseOfLeonovAndNikitin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Generators, HostileLabels,
-                         testing::ValuesIn(hostile_generators().begin(), hostile_generators().end()),
+                         ::testing::ValuesIn(hostile_generators().begin(), hostile_generators().end()),
                          [](const auto& generator) { return std::string(generator.param.name); });
 
 /// The label of the chain that lies along y = `y` and runs over x = `x`.

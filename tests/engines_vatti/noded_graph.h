@@ -3,10 +3,7 @@
 
 #include <oblast/region_set.h>
 
-#include "collect/collect.h"
-#include "graph/chain_graph.h"
-#include "noding/node_strands.h"
-#include "overlay/pipeline.h"
+#include "support/noded.h"
 
 namespace oblast {
 using namespace internal;
@@ -15,13 +12,8 @@ using namespace internal;
 inline ChainGraph noded_graph(const RegionView& a, const RegionSet* b, const FillRule& rule) {
   Options options;
   options.fill_a = options.fill_b = rule;
-  Control control(options);
-  Statistics statistics;
   const RegionView b_view = b ? b->view() : RegionView{};
-  noding::NodingReport report;
-  return build_chain_graph(node_strands(
-      collect(a, b ? &b_view : nullptr, options, resolve_by_pipeline(control), statistics.resolved_polygons), report,
-      resolve_by_pipeline(control), statistics.resolved_polygons));
+  return testing::graph_of(a, b ? &b_view : nullptr, options);
 }
 
 }  // namespace oblast

@@ -8,12 +8,10 @@
 #include <array>
 #include <vector>
 
-#include "collect/collect.h"
 #include "engines/skvortsov/marked_mesh.h"
 #include "graph/chain_graph.h"
-#include "noding/node_strands.h"
-#include "overlay/pipeline.h"
 #include "support/check_mesh.h"
+#include "support/noded.h"
 #include "support/same_bits.h"
 
 namespace oblast::testing {
@@ -75,14 +73,8 @@ Answer ask(const Operands& operands, const Question& question, Engine engine) {
 }
 
 ChainGraph arrangement(const Operands& operands) {
-  const Options options;
-  Control control(options);
-  Statistics statistics;
-  noding::NodingReport report;
-  const RegionView a = operands.a, b = operands.b;
-  return build_chain_graph(
-      node_strands(collect(a, &b, options, resolve_by_pipeline(control), statistics.resolved_polygons), report,
-                   resolve_by_pipeline(control), statistics.resolved_polygons));
+  const RegionView b = operands.b;
+  return graph_of(operands.a, &b, Options{});
 }
 
 /// Every edge of every live chain, by vertices of the mesh.

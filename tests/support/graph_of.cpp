@@ -1,23 +1,11 @@
 // The stages one after the other.
 #include "support/graph_of.h"
 
-#include "collect/collect.h"
 #include "engines/leonov_nikitin/label.h"
-#include "noding/node_strands.h"
-#include "overlay/pipeline.h"
 #include "verify/text_regions.h"
 
 namespace oblast::testing {
 using namespace internal;
-
-ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& options) {
-  Control control(options);
-  Statistics statistics;
-  noding::NodingReport report;
-  noding::Strands strands = collect(a, b, options, resolve_by_pipeline(control), statistics.resolved_polygons);
-  return build_chain_graph(
-      node_strands(std::move(strands), report, resolve_by_pipeline(control), statistics.resolved_polygons));
-}
 
 Linked linked_of(const RegionView& a, const RegionView& b, Operation operation, const Options& options) {
   Linked l;

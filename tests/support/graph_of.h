@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "graph/chain_graph.h"
 #include "result/link.h"
 #include "result/rings.h"
 #include "result/select.h"
+#include "support/noded.h"
 
 namespace oblast::testing {
 using namespace internal;
@@ -19,9 +19,6 @@ struct Question {
   Operation operation = Operation::unite;
   Options options = {};
 };
-
-/// Stage 1 with stage 2: `b` may be null.
-ChainGraph graph_of(const RegionView& a, const RegionView* b, const Options& options);
 
 struct Linked {
   ChainGraph graph;
