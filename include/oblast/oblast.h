@@ -4,6 +4,7 @@
 
 #include <oblast/domain.h>
 #include <oblast/error.h>
+#include <oblast/features.h>
 #include <oblast/locator.h>
 #include <oblast/measure.h>
 #include <oblast/options.h>

@@ -49,8 +49,12 @@ void reserve(Strands& strands, std::size_t vertices, std::size_t count) {
 /// Reads polygons of an operand.
 class PolygonReader {
  public:
-  PolygonReader(const RegionView& operand, bool is_b, Group first_group, const Resolve& resolve)
-      : operand_(operand), is_b_(is_b), first_group_(first_group), resolve_(resolve) {}
+  PolygonReader(const Operand& operand, Group first_group, const Resolve& resolve)
+      : operand_(operand.regions),
+        is_b_(operand.is_b),
+        sources_(operand.sources),
+        first_group_(first_group),
+        resolve_(resolve) {}
 
   /// For polygons [begin, end), which are not none.
   void make_room(std::size_t begin, std::size_t end, Strands& strands) const {
@@ -104,7 +108,7 @@ class PolygonReader {
       meet = scratch.tree.edges_meet();
     }
     if (meet && *meet) return false;
-    strands.close_strand(winding(turn), group(polygon), meet ? Simplicity::known : Simplicity::assumed);
+    strands.close_strand(change(polygon, turn), group(polygon), meet ? Simplicity::known : Simplicity::assumed);
     return true;
   }
 
@@ -118,23 +122,28 @@ class PolygonReader {
     const auto offset = static_cast<std::uint32_t>(strands.points.size() - points.size());
     for (std::size_t r = 0, begin = 0; r < scratch.ends.size(); begin = scratch.ends[r++]) {
       const int turn = turn_at_smallest(points.subspan(begin, scratch.ends[r] - 1 - begin));
-      strands.close_strand(winding((*odd_depths)[r] ? -turn : turn), group(polygon));
+      strands.close_strand(change(polygon, (*odd_depths)[r] ? -turn : turn), group(polygon));
       strands.ends.back() = offset + scratch.ends[r];
     }
     return true;
   }
 
-  Winding winding(std::int32_t change) const { return is_b_ ? Winding{0, change} : Winding{change, 0}; }
+  Winding change(std::size_t polygon, std::int32_t turn) const {
+    const std::int32_t change = sources_.empty() ? turn : turn * static_cast<std::int32_t>(sources_[polygon] + 1);
+    return is_b_ ? Winding{0, change} : Winding{change, 0};
+  }
   Group group(std::size_t polygon) const { return first_group_ + static_cast<Group>(polygon); }
 
   bool resolve_polygon(std::size_t polygon, Strands& strands) const {
     const std::uint32_t begin = operand_.polygon_begin(polygon), end = operand_.polygon_end(polygon);
     if (begin == end) return false;
-    return append_resolved(resolve_(operand_.contours_between(begin, end)), winding(1), group(polygon), strands);
+    return append_resolved(resolve_(operand_.contours_between(begin, end)), change(polygon, 1), group(polygon),
+                           strands);
   }
 
   const RegionView& operand_;
   bool is_b_;
+  std::span<const std::uint32_t> sources_;
   Group first_group_;
   const Resolve& resolve_;
 };
@@ -170,11 +179,12 @@ void append(Strands& to, Array<Strands>& parts) {
   });
 }
 
-void collect_by_polygon(const RegionView& operand, bool is_b, Group first_group, const Resolve& resolve,
-                        Strands& strands, std::uint64_t& resolved_polygons) {
-  const PolygonReader reader(operand, is_b, first_group, resolve);
+void collect_by_polygon(const Operand& operand, Group first_group, const Resolve& resolve, Strands& strands,
+                        std::uint64_t& resolved_polygons) {
+  const PolygonReader reader(operand, first_group, resolve);
   // To look whether a ring meets itself takes some ten times as long as to pass its vertices.
-  const std::size_t count = operand.polygon_count(), polygons_a_part = grain(count, 8 * operand.points.size());
+  const std::size_t count = operand.regions.polygon_count(),
+                    polygons_a_part = grain(count, 8 * operand.regions.points.size());
   const std::size_t parts = range_count(count, polygons_a_part);
   const auto begin_of = [&](std::size_t part) { return std::min(count, part * polygons_a_part); };
   const auto read_part = [&](std::size_t part, Strands& to) {
@@ -211,20 +221,23 @@ void collect_as_directed(const RegionView& operand, bool is_b, Strands& strands)
 
 }  // namespace
 
-Strands collect(const RegionView& a, const RegionView* b, const Options& options, const Resolve& resolve,
-                std::uint64_t& resolved_polygons) {
+Strands collect(std::span<const Operand> operands, const Resolve& resolve, std::uint64_t& resolved_polygons) {
   Strands strands;
-  strands.parity = {options.fill_a.kind == FillRule::Kind::even_odd, options.fill_b.kind == FillRule::Kind::even_odd};
-  const std::size_t contours = a.contour_count() + (b ? b->contour_count() : 0);
-  reserve(strands, a.points.size() + (b ? b->points.size() : 0), contours);
-  const auto add = [&](const RegionView& operand, bool is_b, const FillRule& rule, Group first_group) {
-    if (rule.by_polygon())
-      collect_by_polygon(operand, is_b, first_group, resolve, strands, resolved_polygons);
+  std::size_t vertices = 0, contours = 0;
+  for (const Operand& operand : operands) {
+    vertices += operand.regions.points.size();
+    contours += operand.regions.contour_count();
+    (operand.is_b ? strands.rules.parity_b : strands.rules.parity_a) = operand.rule.kind == FillRule::Kind::even_odd;
+  }
+  reserve(strands, vertices, contours);
+  Group first_group = 1;
+  for (const Operand& operand : operands) {
+    if (operand.rule.by_polygon())
+      collect_by_polygon(operand, first_group, resolve, strands, resolved_polygons);
     else
-      collect_as_directed(operand, is_b, strands);
-  };
-  add(a, false, options.fill_a, 1);
-  if (b) add(*b, true, options.fill_b, 1 + static_cast<Group>(a.polygon_count()));
+      collect_as_directed(operand.regions, operand.is_b, strands);
+    first_group += static_cast<Group>(operand.regions.polygon_count());
+  }
   return strands;
 }
 

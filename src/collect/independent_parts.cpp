@@ -95,7 +95,7 @@ Strands batch_of(const Strands& strands, const IndependentParts& parts, std::siz
   const auto begin = parts.strands.begin() + (batch == 0 ? 0 : parts.ends[batch - 1]);
   const auto end = parts.strands.begin() + parts.ends[batch];
   Strands part;
-  part.parity = strands.parity;
+  part.rules = strands.rules;
   std::size_t vertices = 0;
   for (auto s = begin; s != end; ++s) vertices += strands.ends[*s] - strands.begin(*s);
   reserve_in_large_pages(part.points, vertices);

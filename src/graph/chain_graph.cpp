@@ -309,10 +309,10 @@ void merge_coincident_chains(ChainGraph& graph, std::span<const Descriptor> coin
   const Descriptor kept = *std::min_element(coincident.begin(), coincident.end());
   Winding change;
   for (const Descriptor d : coincident) {
-    change = change + graph.change(d);
+    change = graph.strands.rules.sum(change, graph.change(d));
     graph.chains[chain_of(d)].merged_into = chain_of(kept);
   }
-  graph.chains[chain_of(kept)].change = graph.strands.parity.reduce(is_backward(kept) ? -change : change);
+  graph.chains[chain_of(kept)].change = graph.strands.rules.reduce(is_backward(kept) ? -change : change);
 }
 
 /// True when there were any.

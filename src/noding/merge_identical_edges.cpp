@@ -196,8 +196,7 @@ class FirstFinder {
       step_ = points[first] == points[e] ? 1 : -1U;
     }
     const bool forth = points[first] == points[e];
-    identical_.sum[first] =
-        forth ? identical_.sum[first] + strands_.change[s] : identical_.sum[first] - strands_.change[s];
+    identical_.sum[first] = strands_.rules.sum(identical_.sum[first], forth ? strands_.change[s] : -strands_.change[s]);
     identical_.first_of[first] = identical_.first_of[e] = first;
     any_ = true;
   }
@@ -275,23 +274,25 @@ class Remainder {
   }
 
  private:
-  /// Calls strand(first vertex, past the last one, change, group, simplicity).
+  bool is_repeated(std::uint32_t e) const { return identical_.first_of[e] != none; }
+
+  /// Zero where the edge goes.
+  Winding change_of(std::uint32_t e, std::size_t s) const {
+    if (!is_repeated(e)) return strands_.change[s];
+    return identical_.first_of[e] == e ? strands_.rules.reduce(identical_.sum[e]) : Winding{};
+  }
+
+  /// Calls strand(first vertex, past the last one, change, group, simplicity) for stretches of edges with one change.
   template <class Strand>
   void walk(std::size_t first_strand, std::size_t past_strand, const Strand& strand) const {
     for (std::size_t s = first_strand; s < past_strand; ++s) {
-      const std::uint32_t begin = strands_.begin(s), end = strands_.ends[s];
-      std::uint32_t first = begin;
-      for (std::uint32_t e = begin; e < end; ++e) {
-        const bool last_vertex = e + 1 == end;
-        if (!last_vertex && identical_.first_of[e] == none) continue;
-        const bool whole = first == begin && last_vertex;
-        if (e > first)
-          strand(first, e + 1, strands_.change[s], strands_.group[s],
-                 whole ? strands_.simplicity[s] : Simplicity::known);
-        first = e + 1;
-        if (last_vertex || identical_.first_of[e] != e) continue;
-        const Winding sum = strands_.parity.reduce(identical_.sum[e]);
-        if (!sum.is_zero()) strand(e, e + 2, sum, any_group, Simplicity::known);
+      const std::uint32_t begin = strands_.begin(s), past = strands_.ends[s] - 1;
+      for (std::uint32_t first = begin, e; first < past; first = e) {
+        const Winding change = change_of(first, s);
+        for (e = first + 1; e < past && change_of(e, s) == change && is_repeated(e) == is_repeated(first);) ++e;
+        if (change.is_zero()) continue;
+        const bool whole = first == begin && e == past;
+        strand(first, e + 1, change, strands_.group[s], whole ? strands_.simplicity[s] : Simplicity::known);
       }
     }
   }
@@ -330,7 +331,7 @@ Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical) 
   // Where every second edge is repeated, each is a strand of its own.
   check_count(ends.back().points, "vertices of strands");
   Strands result;
-  result.parity = strands.parity;
+  result.rules = strands.rules;
   result.resize(ends.back().points, ends.back().strands);
   for_numbered_ranges(strands.size(), strands_a_range, [&](std::size_t i, std::size_t first, std::size_t past) {
     remainder.write(first, past, ends[i], result);

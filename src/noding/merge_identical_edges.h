@@ -29,8 +29,8 @@ enum class Seek {
 /// Cost: linear, expected.
 IdenticalEdges identical_edges(const Strands& strands, Seek seek = Seek::all);
 
-/// The strands without repeated edges: of identical ones one is left, as a strand of its own in group 0, or none where
-/// the changes cancel. Strands break where an edge was taken out. Cost: linear.
+/// The strands without repeated edges: of identical ones one is left, or none where the changes cancel. Strands break
+/// where the change does. Cost: linear.
 Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical);
 inline Strands merge_identical_edges(Strands strands) {
   const IdenticalEdges identical = identical_edges(strands);

@@ -1,6 +1,7 @@
 #include "noding/resolve.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/call.h"
 
@@ -21,7 +22,7 @@ bool append_resolved(const Resolved& resolved, noding::Winding winding, noding::
 
 Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tangled, const Resolve& resolve) {
   Strands result;
-  result.parity = strands.parity;
+  result.rules = strands.rules;
   result.points.reserve(strands.points.size());
   Steps steps(strands.size());
   for (std::uint32_t s = 0; s < strands.size(); ++s) {
@@ -32,8 +33,7 @@ Strands resolve_tangled(const Strands& strands, const Array<std::uint32_t>& tang
       const Share share(static_cast<double>(ring.size()) / static_cast<double>(strands.points.size()));
       const std::uint32_t end = static_cast<std::uint32_t>(ring.size() - 1);  // not its closing point
       // It came in turned as its smallest vertex says; what comes back runs counter-clockwise.
-      const noding::Winding change = strands.change[s];
-      const noding::Winding winding{change.a != 0 ? 1 : 0, change.b != 0 ? 1 : 0};
+      const noding::Winding winding{std::abs(strands.change[s].a), std::abs(strands.change[s].b)};
       append_resolved(resolve(RegionView{ring.first(end), std::span(&end, 1), {}}), winding, strands.group[s], result);
     } else {
       result.points.insert(result.points.end(), ring.begin(), ring.end());

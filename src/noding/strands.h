@@ -17,11 +17,12 @@
 #include "base/call_memory.h"
 #include "base/index.h"
 #include "base/large_pages.h"
+#include "noding/source_changes.h"
 
 namespace oblast::internal::noding {
 
 /// How much the winding numbers of A and B grow when an edge, seen along its direction, is crossed from
-/// its right to its left.
+/// its right to its left. Where rows are overlaid: a handle for each operand (source_changes.h), not to be added by +.
 struct Winding {
   std::int32_t a = 0;
   std::int32_t b = 0;
@@ -33,13 +34,20 @@ struct Winding {
   friend Winding operator-(Winding p) { return {-p.a, -p.b}; }
 };
 
-/// Operands of which only the parity of the winding number counts (even_odd). There a contour's direction
-/// means nothing, so two identical edges cancel whichever way they run.
-struct Parity {
-  bool a = false;
-  bool b = false;
+/// How the changes of identical edges are added.
+struct ChangeRules {
+  /// Operands of which only the parity of the winding number counts (even_odd). There a contour's direction means
+  /// nothing, so two identical edges cancel whichever way they run.
+  bool parity_a = false;
+  bool parity_b = false;
+  /// Where rows are overlaid: the changes are handles of lists in this table.
+  SourceChanges* sources = nullptr;
 
-  Winding reduce(Winding w) const { return {a ? w.a & 1 : w.a, b ? w.b & 1 : w.b}; }
+  Winding sum(Winding p, Winding q) const {
+    if (sources) return {sources->add(p.a, q.a), sources->add(p.b, q.b)};
+    return p + q;
+  }
+  Winding reduce(Winding w) const { return {parity_a ? w.a & 1 : w.a, parity_b ? w.b & 1 : w.b}; }
 };
 
 /// What is known of a vertex; a set of bits.
@@ -68,7 +76,7 @@ struct Strands {
   Array<Winding> change;         ///< by strand
   Array<Group> group;            ///< by strand
   Array<Simplicity> simplicity;  ///< by strand
-  Parity parity;
+  ChangeRules rules;
 
   /// A vertex's flags while other threads may set some; add_flag() is how they do.
   std::uint8_t load_flags(std::uint32_t vertex) {

@@ -1,15 +1,13 @@
 #include "overlay/batches.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <optional>
 
 #include "base/call_memory.h"
 #include "base/parallel.h"
+#include "base/stage_clock.h"
 #include "base/stage_shares.h"
-#include "collect/independent_parts.h"
-#include "result/assemble.h"
 
 namespace oblast::internal {
 namespace {
@@ -60,13 +58,10 @@ class Batches {
   Array<noding::Strands> ready_;
 };
 
-PipelineResult overlay_batches(noding::Strands strands, const IndependentParts& parts, const Job& job,
-                               Statistics& statistics, RegionSet spare, const OverlayStrands& overlay_strands) {
+void run_batches(noding::Strands strands, const IndependentParts& parts, Statistics& statistics,
+                 const BatchWork& work) {
   const auto begin = std::chrono::steady_clock::now();
   Array<Statistics> done(parts.size());
-  Array<RegionSet> regions(parts.size());
-  Array<Charge> charges(parts.size());
-  std::atomic<bool> touches = false;
   const auto vertices = static_cast<double>(strands.points.size());
   Batches batches(std::move(strands), parts);
   {
@@ -79,41 +74,34 @@ PipelineResult overlay_batches(noding::Strands strands, const IndependentParts& 
         isolated([&] {
           noding::Strands part = batches.take(i);
           const Share share(share_of_all, static_cast<double>(part.points.size()) / vertices);
-          PipelineResult result = overlay_strands(std::move(part), done[i], {});
-          regions[i] = std::move(result.regions);
-          charges[i] = std::move(result.charge);
-          if (result.touches) touches = true;
+          work.run(i, std::move(part), done[i]);
         });
       }
     });
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   add_parts(done, elapsed.count(), statistics);
-  const Share share(Stage::assemble, 1);
-  const StageClock clock(job.control, statistics, Stage::assemble);
-  std::size_t bytes = 0;
-  for (const RegionSet& part : regions) bytes += bytes_of(part);
-  Charge charge(bytes);
-  return {std::move(charge), join(std::move(regions), std::move(spare)), touches};
 }
 
 }  // namespace
 
-PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics, RegionSet spare,
-                          const OverlayStrands& overlay_strands) {
-  if (!worth_dividing(strands)) return overlay_strands(std::move(strands), statistics, std::move(spare));
+void in_batches(noding::Strands strands, PartNeeds needs, Control& control, Statistics& statistics,
+                const BatchWork& work) {
+  if (!worth_dividing(strands)) {
+    work.begin(1);
+    return work.run(0, std::move(strands), statistics);
+  }
   IndependentParts parts;
   {
-    const InStage stage(Stage::collect, parting_share, job.control, statistics);
-    const bool both = job.operation == Operation::intersection;
-    parts = independent_parts(strands, {both || job.operation == Operation::difference, both});
+    const InStage stage(Stage::collect, parting_share, control, statistics);
+    parts = independent_parts(strands, needs);
   }
-  if (parts.size() != 1)
-    return overlay_batches(std::move(strands), parts, job, statistics, std::move(spare), overlay_strands);
+  work.begin(parts.size());
+  if (parts.size() != 1) return run_batches(std::move(strands), parts, statistics, work);
   // One batch of all strands as they are is not copied.
   if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
     strands = only_batch(std::move(strands), parts, 0);
-  return overlay_strands(std::move(strands), statistics, std::move(spare));
+  work.run(0, std::move(strands), statistics);
 }
 
 }  // namespace oblast::internal

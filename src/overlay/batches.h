@@ -3,16 +3,23 @@
 
 #include <functional>
 
+#include "base/control.h"
+#include "collect/independent_parts.h"
 #include "noding/strands.h"
-#include "overlay/pipeline.h"
 
 namespace oblast::internal {
 
-/// Stages 2 to 6 on some of the strands.
-using OverlayStrands = std::function<PipelineResult(noding::Strands batch, Statistics& statistics, RegionSet spare)>;
+/// What is done with the batches of a call.
+struct BatchWork {
+  /// Told first how many batches there are.
+  std::function<void(std::size_t count)> begin;
+  /// Stages 2 to 6 on the strands of one batch. Several run side by side.
+  std::function<void(std::size_t batch, noding::Strands strands, Statistics& statistics)> run;
+};
 
-/// The results of all batches put together. A small input, and one that does not fall into parts, is one batch.
-PipelineResult in_batches(noding::Strands strands, const Job& job, Statistics& statistics, RegionSet spare,
-                          const OverlayStrands& overlay_strands);
+/// Divides the strands into batches and does the work on each. A small input, and one that does not fall into parts, is
+/// one batch; where parts lack an operand that they need, there may be none.
+void in_batches(noding::Strands strands, PartNeeds needs, Control& control, Statistics& statistics,
+                const BatchWork& work);
 
 }  // namespace oblast::internal

@@ -30,15 +30,6 @@ void report(const noding::NodingReport& noding, const ChainGraph& graph, Statist
   statistics.intersections += static_cast<std::uint64_t>(std::count(cut.begin(), cut.end(), true));
 }
 
-ChainGraph node_stage(noding::Strands strands, const Job& job, Statistics& statistics) {
-  const InStage stage(Stage::node, node_share, job.control, statistics);
-  noding::NodingReport noding(job.options.statistics != nullptr);
-  ChainGraph graph = build_chain_graph(
-      node_strands(std::move(strands), noding, resolve_by_pipeline(job.control), statistics.resolved_polygons));
-  if (job.options.statistics) report(noding, graph, statistics);
-  return graph;
-}
-
 LargeArray<Winding> label_stage(const ChainGraph& graph, const Job& job, Statistics& statistics) {
   const InStage stage(Stage::label, label_share, job.control, statistics);
   return job.options.engine == Engine::vatti ? vatti::label(graph) : leonov_nikitin::label(graph);
@@ -90,6 +81,30 @@ PipelineResult assemble_stage(Rings rings, const Nesting& nesting, const Job& jo
   return {std::move(charge), assemble(rings, nesting, std::move(spare)), touches};
 }
 
+/// What a part must hold to matter.
+PartNeeds needs_of(Operation operation) {
+  const bool both = operation == Operation::intersection;
+  return {both || operation == Operation::difference, both};
+}
+
+/// The polygons of all batches, in order.
+PipelineResult join_results(Array<PipelineResult> results, const Job& job, Statistics& statistics, RegionSet spare) {
+  if (results.size() == 1) return std::move(results[0]);
+  const Share share(Stage::assemble, 1);
+  const StageClock clock(job.control, statistics, Stage::assemble);
+  Array<RegionSet> regions;
+  regions.reserve(results.size());
+  std::size_t bytes = 0;
+  bool touches = false;
+  for (PipelineResult& result : results) {
+    bytes += bytes_of(result.regions);
+    touches |= result.touches;
+    regions.push_back(std::move(result.regions));
+  }
+  Charge charge(bytes);
+  return {std::move(charge), join(std::move(regions), std::move(spare)), touches};
+}
+
 }  // namespace
 
 Resolve resolve_by_pipeline(Control& control) {
@@ -104,6 +119,15 @@ Resolve resolve_by_pipeline(Control& control) {
   };
 }
 
+ChainGraph node_stage(noding::Strands strands, const Job& job, Statistics& statistics) {
+  const InStage stage(Stage::node, node_share, job.control, statistics);
+  noding::NodingReport noding(job.options.statistics != nullptr);
+  ChainGraph graph = build_chain_graph(
+      node_strands(std::move(strands), noding, resolve_by_pipeline(job.control), statistics.resolved_polygons));
+  if (job.options.statistics) report(noding, graph, statistics);
+  return graph;
+}
+
 PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics,
                             RegionSet spare) {
   noding::Strands strands;
@@ -111,11 +135,15 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job&
     const InStage stage(Stage::collect, collect_share, job.control, statistics);
     strands = collect(a, b, job.options, resolve_by_pipeline(job.control), statistics.resolved_polygons);  // 1
   }
-  const auto overlay_strands = [&](noding::Strands batch, Statistics& of_batch, RegionSet arrays) {
-    Outline contours = outline(std::move(batch), job, of_batch);                                           // 2 to 5
-    return assemble_stage(std::move(contours.rings), contours.nesting, job, of_batch, std::move(arrays));  // 6
+  Array<PipelineResult> results;
+  const auto begin = [&](std::size_t batches) { results.resize(batches); };
+  const auto run = [&](std::size_t batch, noding::Strands of_batch, Statistics& done) {
+    Outline contours = outline(std::move(of_batch), job, done);  // 2 to 5
+    results[batch] = assemble_stage(std::move(contours.rings), contours.nesting, job, done,
+                                    results.size() == 1 ? std::move(spare) : RegionSet{});  // 6
   };
-  return in_batches(std::move(strands), job, statistics, std::move(spare), overlay_strands);
+  in_batches(std::move(strands), needs_of(job.operation), job.control, statistics, {begin, run});
+  return join_results(std::move(results), job, statistics, std::move(spare));
 }
 
 }  // namespace oblast::internal

@@ -6,6 +6,7 @@
 
 #include "base/memory_budget.h"
 #include "base/stage_clock.h"
+#include "graph/chain_graph.h"
 #include "noding/resolve.h"
 
 namespace oblast::internal {
@@ -27,6 +28,9 @@ struct PipelineResult {
 /// arrays of `spare` where they have room.
 PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics,
                             RegionSet spare = {});
+
+/// Stage 2, for any operation.
+ChainGraph node_stage(noding::Strands strands, const Job& job, Statistics& statistics);
 
 /// A polygon by itself: the whole pipeline under even_odd. For as long as `control` lives.
 Resolve resolve_by_pipeline(Control& control);

@@ -45,7 +45,8 @@ class Rotation {
 
 /// A polygon with what it is ordered by.
 struct PolygonKey {
-  Point first;  ///< of its outer ring
+  Point first;        ///< of its outer ring
+  std::uint32_t row;  ///< of the result
   std::uint32_t index;
   std::uint32_t outer;  ///< that ring
 };
@@ -82,7 +83,10 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) 
   for_ranges(rings.size(), tuning::rings_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto r = static_cast<std::uint32_t>(begin); r < end; ++r) {
       rotations[r] = canonical_rotation(rings, r);
-      if (nesting.outer[r]) polygons[nesting.polygon[r]] = {rotations[r][0], nesting.polygon[r], r};
+      if (nesting.outer[r]) {
+        const std::uint32_t polygon = nesting.polygon[r];
+        polygons[polygon] = {rotations[r][0], nesting.row.empty() ? 0 : nesting.row[polygon], polygon, r};
+      }
     }
   });
 
@@ -93,6 +97,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) 
   Array<std::uint32_t> members(rings.size());
   for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
   parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
+    if (p.row != q.row) return p.row < q.row;
     return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
   });
 
@@ -132,11 +137,15 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) 
   return result;
 }
 
-RegionSet join(Array<RegionSet> parts, RegionSet spare) {
-  if (parts.size() == 1) return std::move(parts[0]);
+RegionSet join(Array<RegionSet> parts, RegionSet spare, PolygonRows* rows) {
+  if (parts.size() == 1 && (!rows || std::is_sorted(rows->of[0].begin(), rows->of[0].end()))) {
+    if (rows) rows->joined = std::move(rows->of[0]);
+    return std::move(parts[0]);
+  }
   struct Polygon {
     Point first;  // no other polygon starts there: parts have no point in common
     std::uint32_t part, index;
+    std::uint32_t row;
     std::uint32_t point, contour;  // where it begins in the result
   };
   Array<Polygon> polygons;
@@ -147,14 +156,20 @@ RegionSet join(Array<RegionSet> parts, RegionSet spare) {
     contours += view.contour_ends.size();
     check_count(points, "vertices of the result", most_vertices);
     for (std::uint32_t p = 0; p < view.polygon_count(); ++p)
-      polygons.push_back({view.points[view.contour_begin(view.polygon_begin(p))], i, p, 0, 0});
+      polygons.push_back(
+          {view.points[view.contour_begin(view.polygon_begin(p))], i, p, rows ? rows->of[i][p] : 0, 0, 0});
   }
   // Of one part polygons are in order already, also where two start at the same vertex.
   parallel_sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
+    if (p.row != q.row) return p.row < q.row;
     if (p.first != q.first) return lexicographically_less(p.first, q.first);
     return p.index < q.index;
   });
 
+  if (rows) {
+    rows->joined.clear();
+    for (const Polygon& polygon : polygons) rows->joined.push_back(polygon.row);
+  }
   RegionSet result = emptied(std::move(spare));
   resize_in_large_pages(result.points, points);
   result.contour_ends.resize(contours);

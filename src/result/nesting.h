@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/call_memory.h"
 #include "result/rings.h"
@@ -17,9 +18,12 @@ struct Nesting {
   Array<std::uint32_t> polygon;  ///< by ring
   Array<std::uint8_t> outer;     ///< by ring: counter-clockwise
   std::uint32_t polygon_count = 0;
+  Array<std::uint32_t> row;  ///< by polygon: which row of the result it belongs to; empty where there is but one
 };
 
-/// REQUIRES: `rings` are the contours of `linked`, in its order, with all their vertices.
-Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked, const Rings& rings);
+/// `row_of_chain`, where the result has several rows, is by chain; chains of different rows may be anywhere. Empty: one
+/// row. REQUIRES: `rings` are the contours of `linked`, in its order, with all their vertices.
+Nesting nest(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked, const Rings& rings,
+             std::span<const std::uint32_t> row_of_chain = {});
 
 }  // namespace oblast::internal

@@ -61,6 +61,7 @@ void refuse_where_ends_are_shared(const TraceSpans& spans, Array<bool>& refused)
   for (std::size_t r = 0; r < rings.size(); ++r) {
     for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
       steps();
+      if (!rings.has_edge_after(r, v)) continue;
       const Ends edge(rings.points[v], rings.points[rings.after(r, v)]);
       const auto less = [](const Chord& chord, const Ends& ends) { return chord.ends < ends; };
       for (auto it = std::lower_bound(chords.begin(), chords.end(), edge, less); it != chords.end() && it->ends == edge;
@@ -71,7 +72,8 @@ void refuse_where_ends_are_shared(const TraceSpans& spans, Array<bool>& refused)
 }
 
 Rings drop_collinear(const Rings& rings) {
-  // Collinear with both neighbours is collinear with the vertices that stay on either side.
+  // The ends of an open path are touches. Collinear with both neighbours is collinear with the vertices that stay on
+  // either side.
   return without_if(rings, [&](std::size_t r, std::uint32_t v) {
     const Point &before = rings.points[rings.before(r, v)], &after = rings.points[rings.after(r, v)];
     return !(rings.flags[v] & touch_vertex) && exact::orientation(before, rings.points[v], after) == 0;

@@ -60,19 +60,22 @@ class Retry {
     }
   };
 
-  /// Vertices that stay so far, along their rings; of those gone already, the one before that stays.
+  /// Vertices that stay so far, along their rings; of those gone already, the one before that stays. The ends of an
+  /// open path have themselves beside them.
   void link() {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       const std::uint32_t begin = rings_.begin(r), end = rings_.ends[r];
       std::uint32_t last = end;
       do --last;
       while (gone_[last]);
-      for (std::uint32_t v = begin, previous = last; v < end; ++v) {
+      std::uint32_t previous = rings_.is_open(r) ? begin : last;
+      for (std::uint32_t v = begin; v < end; ++v) {
         before_[v] = previous;
         if (gone_[v]) continue;
         after_[previous] = v;
         previous = v;
       }
+      if (rings_.is_open(r)) after_[last] = last;
     }
   }
 

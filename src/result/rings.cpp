@@ -29,8 +29,7 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
 
 }  // namespace
 
-Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
-  const NodeKinds kinds = classify_nodes(graph, selection);
+Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const LinkedContours& linked) {
   const Array<Descriptor>& descriptors = linked.descriptors;
   LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());

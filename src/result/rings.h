@@ -1,4 +1,7 @@
 // The contours of the result as points, before they are put in canonical order.
+//
+// Where rows are overlaid, the borders between nodes come as rings, too, so that traces on them are judged once for all
+// rows. Such a path may be open: its last vertex is not joined to its first, and both are nodes.
 #pragma once
 
 #include <algorithm>
@@ -36,10 +39,16 @@ struct Rings {
   LargeArray<Point> points;
   Array<std::uint8_t> flags;     ///< by vertex, RingVertex
   Array<std::uint32_t> ends;     ///< by ring: past its last vertex; the first is not repeated
+  Array<bool> open;              ///< by ring: it is an open path; empty where all are closed
   Array<TraceEdge> trace_edges;  ///< of all trace vertices, sorted; each has at least one
 
   std::uint32_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
   std::size_t size() const { return ends.size(); }
+  bool is_open(std::size_t ring) const { return !open.empty() && open[ring]; }
+  /// Whether an edge joins the vertex to the one after it.
+  bool has_edge_after(std::size_t ring, std::uint32_t vertex) const {
+    return vertex + 1 != ends[ring] || !is_open(ring);
+  }
   std::uint32_t before(std::size_t ring, std::uint32_t vertex) const {
     return vertex == begin(ring) ? ends[ring] - 1 : vertex - 1;
   }
@@ -55,6 +64,7 @@ struct Rings {
 template <class Drop>
 Rings without_if(const Rings& rings, const Drop& drop) {
   Rings result;
+  result.open = rings.open;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     for (std::uint32_t v = rings.begin(r); v < rings.ends[r]; ++v) {
       if (drop(r, v)) continue;
@@ -86,7 +96,10 @@ void add_trace_edges(const NodeKinds& kinds, const NodeOf& node_of, Rings& rings
   }
 }
 
-/// The points of every contour, with what the graph knows of them. Cost: linear.
-Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked);
+/// The points of every contour, with what is known of the nodes. Cost: linear.
+Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const LinkedContours& linked);
+inline Rings contours_to_rings(const ChainGraph& graph, const Selection& selection, const LinkedContours& linked) {
+  return contours_to_rings(graph, classify_nodes(graph, selection), linked);
+}
 
 }  // namespace oblast::internal
