@@ -190,13 +190,13 @@ TEST(IndependentParts, batchesHoldTheirStrandsUnchanged) {
     strands.change[s] = {static_cast<int>(s), 1};
     strands.group[s] = static_cast<noding::Group>(s % 9);
   }
-  strands.parity = {true, false};
+  strands.rules = {true, false};
   const IndependentParts parts = independent_parts(strands, {});
   ASSERT_GE(parts.size(), 2u);
   std::size_t i = 0;
   for (std::size_t b = 0; b < parts.size(); ++b) {
     const Strands batch = batch_of(strands, parts, b);
-    EXPECT_TRUE(batch.parity.a && !batch.parity.b);
+    EXPECT_TRUE(batch.rules.a && !batch.rules.b);
     for (std::size_t k = 0; k < batch.size(); ++k, ++i) {
       const std::uint32_t s = parts.strands[i];
       EXPECT_EQ(batch.change[k], strands.change[s]);
@@ -215,7 +215,7 @@ TEST(IndependentParts, aBatchMovedTogetherIsTheOneCopied) {
     strands.group[s] = static_cast<noding::Group>(s % 9);
     if (s % 3 == 0) strands.simplicity[s] = noding::Simplicity::assumed;
   }
-  strands.parity = {true, false};
+  strands.rules = {true, false};
   IndependentParts parts = independent_parts(strands, {});
   ASSERT_GE(parts.size(), 2u);
   for (std::size_t b = 0; b < parts.size(); ++b) {
@@ -229,7 +229,7 @@ TEST(IndependentParts, aBatchMovedTogetherIsTheOneCopied) {
     EXPECT_EQ(moved.change, copied.change);
     EXPECT_EQ(moved.group, copied.group);
     EXPECT_EQ(moved.simplicity, copied.simplicity);
-    EXPECT_TRUE(moved.parity.a && !moved.parity.b);
+    EXPECT_TRUE(moved.rules.a && !moved.rules.b);
   }
 }
 
