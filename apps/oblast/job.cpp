@@ -48,13 +48,6 @@ void check_call(const Job& job, const JobArguments& arguments, bool json) {
   }
 }
 
-// io::write refuses, too, but its message cannot name the option.
-void refuse_existing(const std::string& path) {
-  std::error_code error;
-  if (path.empty() || path == "-" || !std::filesystem::exists(path, error)) return;
-  throw io::IoError(path + " exists already (--overwrite replaces it)");
-}
-
 std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, ProgressLine& progress) {
   std::vector<io::Layer> layers;
   for (std::size_t k = 0; k < job.operands.size(); ++k) {
@@ -168,10 +161,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   check_call(job, arguments, json);
   io::WriteOptions write_options;
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  if (!arguments.overwrite) {
-    refuse_existing(arguments.output);
-    refuse_existing(arguments.picture);
-  }
+
   io::check_writable(arguments.output, write_options);
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, write_options.existing);
 
