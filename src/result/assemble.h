@@ -8,13 +8,12 @@
 
 namespace oblast::internal {
 
-/// Each contour from its smallest vertex (of several rotations the one whose sequence is smallest), the
-/// outer contour first, holes and polygons in the order of their sequences. Into the arrays of `spare`, whatever is in
-/// them. Cost: O(n + z log z).
+/// The region set. Each contour starts at its smallest vertex; if several rotations do, the one with the smallest
+/// sequence is taken. The outer contour of a polygon is first. Holes and polygons are sorted by their sequences. Reuses
+/// the arrays of `spare`, whatever their contents. Cost: O(n + z log z).
 RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare = {});
 
-/// One region set of several, each in canonical order, that have no point in common. Cost: O(n + p log p),
-/// p polygons.
+/// Joins region sets that are in canonical order and have no point in common. Cost: O(n + p log p) for p polygons.
 RegionSet join(Array<RegionSet> parts, RegionSet spare = {});
 
 }  // namespace oblast::internal

@@ -1,14 +1,15 @@
 // Steps, after the paper's section 3, with winding numbers in place of its four edge labels:
-//   1. Around a vertex x the descriptors of L(x) cut the neighbourhood into sectors. Crossing a
-//      descriptor changes the winding numbers by its change, so one sector gives all (the paper's
-//      marking sectors).
-//   2. A chain carries its label to its other end (rule 2.1). So everything connected is labelled
-//      relative to one sector (relative_labels.h).
-//   3. Each component, and each contour that meets nothing, needs one point-in-region query: which
-//      chain lies directly below its smallest vertex. That chain's component has a smaller smallest
-//      vertex, so in the order of smallest vertices it is settled already. A component whose smallest vertex is in the
-//      box of no other has nothing around it and asks nothing; one whose box holds no such vertex is around nothing and
-//      does not matter to those who ask, since a line that passes it leaves it as it came.
+//   1. The descriptors of L(x) divide the neighbourhood of a vertex x into sectors. Crossing a descriptor changes the
+//      winding numbers by its change. So one sector determines all of them (the paper's marking sectors).
+//   2. A chain carries its label to its other end (rule 2.1). So everything that is connected is labelled relative to
+//   one
+//      sector (relative_labels.h).
+//   3. Each component, and each contour that meets nothing, needs one point-in-region query: which chain lies directly
+//      below its smallest vertex? The component of that chain has a smaller smallest vertex. So in the order of
+//      smallest vertices it is labelled already. If the smallest vertex of a component is in the box of no other
+//      component, nothing surrounds it, and no query is needed. If the box of a component contains no such vertex, it
+//      surrounds nothing, and queries ignore it: a line that passes through it leaves it with the winding numbers with
+//      which it entered.
 #include "engines/leonov_nikitin/label.h"
 
 #include <algorithm>
@@ -25,9 +26,9 @@
 namespace oblast::internal::leonov_nikitin {
 namespace {
 
-/// What is connected. Its labels are relative to one of its sectors.
+/// A connected component. Its labels are relative to one of its sectors.
 struct Component {
-  std::uint32_t chain = none;   ///< a chain that its smallest vertex is on
+  std::uint32_t chain = none;   ///< a chain that contains its smallest vertex
   std::uint32_t vertex = none;  ///< that vertex
   Winding outside = {};         ///< winding numbers of the sector outside it
 };
@@ -51,15 +52,15 @@ class Labelling {
   }
 
  private:
-  /// What chains that follow one another have of a component.
+  /// The part of a component in consecutive chains.
   struct Part {
     std::uint32_t component;  ///< none for a contour that meets nothing
-    std::uint32_t chain;      ///< a chain that the smallest vertex is on
+    std::uint32_t chain;      ///< a chain that contains the smallest vertex
     Box box;
     std::uint32_t smallest = none;  ///< that vertex
   };
 
-  /// Of each component, and of each contour that meets nothing, which is one by itself.
+  /// Finds the components. A contour that meets nothing is a component, too.
   void find_components(const RelativeLabels& labels) {
     components_.resize(labels.component_count);
     boxes_.resize(labels.component_count);
@@ -86,7 +87,7 @@ class Labelling {
         continue;
       }
       Part& part = parts.back();
-      // Chains come in no order along x, so more than this is hard to foresee.
+      // Chains are not sorted along x, so the processor predicts only this comparison well.
       if (box.x0 < part.box.x0 || (box.x0 == part.box.x0 && is_smaller(smallest_of(c), smallest_of(part.chain))))
         part.chain = c;
       part.box = part.box.joined(box);
@@ -118,21 +119,21 @@ class Labelling {
     return lexicographically_less(graph_.point(vertex), graph_.point(other));
   }
 
-  /// The smallest vertex of a component with the lower of the edges there, and the sector outside it.
+  /// The smallest vertex of a component, the lower edge there, and the sector outside.
   BelowQuery look_outside(Component& component) const {
     const std::uint32_t v = component.vertex;
     const Chain& chain = graph_.chains[component.chain];
     const Winding right = right_[component.chain];
     const Point& p = graph_.point(v);
     if (!chain.is_loop() && (v == chain.first || v == chain.last)) {
-      // At a smallest node the outside follows the last descriptor (angular_order.h).
+      // At a smallest node, the sector outside follows the last descriptor (angular_order.h).
       const auto list = graph_.list(v == chain.first ? chain.from : chain.to);
       component.outside = left_of(list.back());
       return {p, graph_.point(graph_.next_vertex(list.front()))};
     }
     const Point& before = graph_.point(v == chain.first ? chain.last - 1 : v - 1);
     const Point& after = graph_.point(v + 1 > chain.last ? chain.first + 1 : v + 1);
-    // A left turn at the smallest vertex has the outside on its right, and its second edge is the lower.
+    // At a left turn at the smallest vertex, the outside is on the right, and the second edge is the lower one.
     const bool left_turn = exact::orientation(before, p, after) > 0;
     component.outside = left_turn ? right : right + chain.change;
     return {p, left_turn ? after : before};
@@ -188,7 +189,7 @@ class Labelling {
     add_to_labels([&](std::uint32_t component) { return base[component]; });
   }
 
-  /// What `base` says of a component is added to its labels.
+  /// Adds base(component) to the labels of each component.
   template <class Base>
   void add_to_labels(const Base& base) {
     for_ranges(right_.size(), tuning::labelled_elements_a_task, [&](std::size_t begin, std::size_t end) {
@@ -199,7 +200,7 @@ class Labelling {
 
   const ChainGraph& graph_;
   LargeArray<Winding> right_;
-  LargeArray<std::uint32_t> component_of_;  ///< by chain; none where it is not live
+  LargeArray<std::uint32_t> component_of_;  ///< by chain; none if it is not live
   Array<Component> components_;
   Array<Box> boxes_;  ///< by component
 };
