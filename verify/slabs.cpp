@@ -123,7 +123,7 @@ std::vector<Point> ends_of(const std::vector<Segment>& segments) {
   return ends;
 }
 
-// The x of a vertex, or of a crossing of two segments.
+// The x coordinate of a vertex, or of a crossing of two segments.
 struct Abscissa {
   Estimate estimate;
   const Segment* one = nullptr;  // null: a vertex, and the estimate has no error
