@@ -1,4 +1,4 @@
-// Hostile cases: alone, large, and side by side.
+// Hostile cases: alone, large, and in crowds.
 #include <oblast/domain.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ Operands crowd(std::span<const HostileGenerator> of, std::uint64_t seed, int cas
   return crowd;
 }
 
-/// Cases of all magnitudes have no room for others beside them.
+/// Cases with all magnitudes leave no room for others beside them.
 bool may_be_in_a_crowd(const HostileGenerator& generator) {
   return generator.name != std::string_view("magnitudes") && generator.name != std::string_view("far_from_origin");
 }

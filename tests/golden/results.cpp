@@ -1,4 +1,4 @@
-// Calls of the library, and the digests of what they give. An error is a result as well: its code is.
+// Calls the library, and computes the digests of the results. An error is a result, too: its code.
 #include "golden/results.h"
 
 #include <oblast/error.h>

@@ -41,7 +41,7 @@ RegionSet star(std::size_t edges, double turn, std::uint64_t seed) {
   return set;
 }
 
-/// Tilted squares in a larger one, so large that there are about as many meetings as edges whatever their number.
+/// Tilted squares in a larger one, whose size gives about as many meetings as edges for any number of squares.
 RegionSet squares(std::size_t edges, std::uint64_t seed) {
   Random random(seed);
   RegionSet set;

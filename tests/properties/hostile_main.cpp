@@ -5,11 +5,11 @@
 //   oblast_hostile --cases 10000 --recompute --largest 16        every arrangement recomputed by exact integers
 //   oblast_hostile --cases 50000 --first-seed 50001 --markdown   a later slice, as rows of a table
 //
-// Each case is judged alone, with others far away, and in a crowd of about 950 cases of all generators, side by side:
-// those of 50 seeds that follow one another. A failure in a crowd names the crowd's seed: the crowd again is
+// Each case is judged alone, with others far away, and in a crowd of about 950 cases of all generators side by side:
+// the cases of 50 consecutive seeds. A failure in a crowd names the seed of the crowd. This runs the crowd again:
 //   oblast_hostile --first-seed SEED --cases 50
 //
-// The exit code is 1 when a case failed; failing cases are made smaller and printed as WKT.
+// The exit code is 1 if a case failed. Failing cases are made smaller and printed as WKT.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
-// A slice of the hostile cases: every generator, all four operations, every promise a trial checks; alone, with others
-// far away, and in crowds. oblast_hostile runs as many as one likes.
+// A slice of the hostile cases: every generator, all four operations, every promise that a trial checks; alone, with
+// others far away, and in crowds. oblast_hostile runs any number of cases.
 #include "generators/hostile.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST_P(Hostile, smallCasesKeepThePromises) { run_cases(GetParam(), 1000, 8, std:
 // exactly.
 TEST_P(Hostile, tinyCasesAreWhatExactArithmeticSays) { run_cases(GetParam(), 40, 8, 14, Recompute::always); }
 
-// Large enough for the searches to split space, and for many edges to straddle the splits.
+// Large enough that the searches divide the plane, and that many edges cross the divisions.
 TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 4, GetParam().larger / 2, GetParam().larger); }
 
 // Each case as above, and in crowds of 950 of all generators.

@@ -1,4 +1,4 @@
-// Properties of overlays on small integer grids, where everything coincides: promises G1 to G4.
+// Properties of overlays on small integer grids, on which everything coincides: promises G1 to G4.
 //
 // RapidCheck draws the operands and shrinks what fails; the checker decides by exact rationals.
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ Operation draw_operation() {
 
 int draw_extent() { return *rc::gen::inRange(2, 7); }
 
-// Fails with the fault and what was asked for.
+// Fails with the fault and the call.
 void expect_none(const std::optional<verify::Fault>& fault, Operation operation, const Options& options) {
   if (!fault) return;
   const generators::Request request{options.fill_a, options.fill_b, options.contours, options.collinear};
