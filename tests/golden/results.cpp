@@ -33,7 +33,7 @@ void add(Digest& digest, const Triangulation& mesh) {
   }
 }
 
-/// Calls `compute`, which adds to the digest what it gets.
+/// Calls `compute`, which adds its result to the digest.
 template <class Compute>
 void attempt(Digest& digest, const Compute& compute) {
   try {

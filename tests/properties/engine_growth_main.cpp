@@ -26,7 +26,7 @@ void add(RegionSet& set, const std::vector<Point>& ring) {
   set.polygon_ends.push_back(static_cast<std::uint32_t>(set.contour_ends.size()));
 }
 
-/// Around the origin, with five large waves and a wiggle at every vertex.
+/// Around the origin, with five large waves and a random deviation at every vertex.
 RegionSet star(std::size_t edges, double turn, std::uint64_t seed) {
   Random random(seed);
   std::vector<Point> ring;

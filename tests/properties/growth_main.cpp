@@ -40,7 +40,7 @@ Point on_circle(double radius, double turns) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Thin quadrilaterals side by side, a thousand times as long as all together are wide.
+/// Thin quadrilaterals side by side, a thousand times longer than their total width.
 RegionSet long_slabs(std::size_t edges) {
   const std::size_t n = edges / 4;
   RegionSet s;
@@ -179,7 +179,7 @@ RegionSet bursts(std::size_t edges) {
 }
 
 /// Triangles of sizes from 2^-20 to 2^20, at distances from the origin as large as they are: a few at each size reach
-/// each other. All in one input, so that the largest coordinate says nothing about most of it.
+/// each other. All are in one input, so the largest coordinate says nothing about most of it.
 RegionSet mixed_magnitudes(std::size_t edges) {
   Random random(7);
   RegionSet s;

@@ -38,7 +38,7 @@ void show_operands(const FailedCase& failed, const Failure& failure, const Opera
              to_text(failed.request), soup_to_wkt(operands.a), soup_to_wkt(operands.b));
 }
 
-// The case and the squares together, for as long as they are not the overlays of what hangs together.
+// The case and the squares together, while their overlay differs from the overlays of the connected parts.
 void show_far(const FailedCase& failed) {
   const Options options = options_of(failed.request);
   const auto fails = [&](const Operands& o) { return !is_local(o, failed.failure.operation, options); };

@@ -64,7 +64,7 @@ TEST(HostileCrowds, casesKeepTheirBytesInCompany) {
   HostileSettings settings;
   settings.first_seed = 20001;
   settings.cases = 200;
-  settings.against = false;  // asked by oblast_hostile
+  settings.against = false;  // oblast_hostile does this
   settings.show = 0;
   const std::vector<HostileRow> rows = run_hostile(settings, [](const FailedCase& failed) {
     ADD_FAILURE() << failed.generator->name << " "

@@ -72,7 +72,7 @@ Operation draw_operation() {
                            Operation::symmetric_difference);
 }
 
-// A thousand cases of each property, unless RC_PARAMS asks for something else. RapidCheck reads it at the first.
+// A thousand cases of each property, unless RC_PARAMS sets another number. RapidCheck reads it at the first property.
 [[maybe_unused]] const int many_cases = setenv("RC_PARAMS", "max_success=1000", 0);
 
 int draw_extent() { return *rc::gen::inRange(2, 7); }
