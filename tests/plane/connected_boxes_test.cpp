@@ -1,4 +1,4 @@
-// Connected boxes, compared with brute force, and boxes that overlap in one axis without meeting.
+// Connected boxes, compared with brute force, and crowded boxes that do not meet.
 #include "plane/connected_boxes.h"
 
 #include <gtest/gtest.h>
