@@ -35,8 +35,7 @@ void add_call_options(CLI::App& command, CallOptions& options) {
   command
       .add_option_function<std::string>(
           "--memory", [call](const std::string& word) { call->most_bytes = parse_bytes(word); },
-          "stop with an error if the computation needs more memory than this, such as 4GiB or 500MB (reading and "
-          "writing do not count)")
+          "memory limit of the computation (not of reading and writing), such as 4GiB or 500MB")
       ->type_name("SIZE");
 }
 

@@ -107,7 +107,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
   command
       ->add_option_function<std::string>(
           "--contours", [arguments](const std::string& word) { arguments->convention = parse_contours(word); },
-          "the convention of FILE for contours that touch themselves: ogc (default) or leonov-nikitin")
+          "how contours of FILE may touch themselves: ogc (default) or leonov-nikitin")
       ->type_name("CONVENTION");
   add_against_options(*command, arguments->against);
   command->add_flag("--json", invocation.json, "print the findings as one JSON object on standard output");

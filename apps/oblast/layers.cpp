@@ -164,7 +164,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
       ->type_name("N");
   command->add_flag_callback(
       "--boxes", [a] { a->rule = LayerRule::boxes; },
-      "separate contours whose bounding boxes overlap, as the paper does; this makes more layers");
+      "separate contours whose boxes overlap, as in the paper; this makes more layers");
   command
       ->add_option_function<std::string>(
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
