@@ -1,4 +1,4 @@
-// A long call that shows how far it is, and that is told to stop half way.
+// A long call that reports its progress and is cancelled halfway.
 #include <oblast/oblast.h>
 
 #include <cmath>

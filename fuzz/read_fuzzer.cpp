@@ -1,4 +1,4 @@
-// Readers on mutated files: whatever the bytes, reading ends with a layer or an IoError, and a layer that was read is
+// Readers on mutated files: for any bytes, reading ends with a layer or an IoError, and a layer that was read is
 // one that an overlay takes.
 //
 //   F bytes...             the file itself; F below 128 chooses the format

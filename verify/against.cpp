@@ -1,4 +1,4 @@
-// Is a result the right answer? Recomputation with exact rationals.
+// Checks whether a result is right, by recomputation with exact rationals.
 #include "verify/against.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class Comparison {
     return std::nullopt;
   }
 
-  // The vertices that must be there (`keep`) or must not (`drop`).
+  // Checks the collinear vertices that must be in the result (`keep`) or must not be there (`drop`).
   std::optional<Fault> check_collinear(const RegionView& a, const RegionView& b) const {
     if (options_.collinear == CollinearVertices::drop) return check_minimal();
     for (const RegionView& operand : {a, b}) {
@@ -60,8 +60,8 @@ class Comparison {
     return std::nullopt;
   }
 
-  // A vertex that is not an input vertex, and joins two pieces of one and the same input edge, must have a reason:
-  // without it the result would not be closed.
+  // A vertex that is not an input vertex and joins two pieces of one input edge is allowed only if the result would not
+  // be closed without it.
   std::optional<Fault> check_traces() const {
     if (options_.collinear == CollinearVertices::drop) return std::nullopt;
     for (std::uint32_t u = 0; u < edges_.size(); ++u) {
@@ -88,7 +88,7 @@ class Comparison {
     return side_of_line(from, to, p) == 0;
   }
 
-  // Whether another pass of any contour goes through vertex v.
+  // True if another pass of any contour goes through vertex v.
   bool is_touched(std::uint32_t v) const {
     const auto& points = edges_.regions.points;
     return std::count(points.begin(), points.end(), edges_.from(v)) > 1;

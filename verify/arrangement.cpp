@@ -1,4 +1,4 @@
-// Winding numbers by rays, areas by sums over edges.
+// Computes winding numbers with rays, and areas with sums over edges.
 #include "verify/arrangement.h"
 
 #include <algorithm>
@@ -33,8 +33,8 @@ bool is_inside(const FillRule& rule, int winding) {
   return false;
 }
 
-/// Whether the ray down from `middle`, moved to the right by nothing measurable, meets the edge from p to q; both and
-/// the middle in half units.
+/// True if the ray downwards from `middle`, moved to the right by an infinitesimal amount, meets the edge from p to q.
+/// All points are in half units.
 bool is_below(const ScaledPoint& p, const ScaledPoint& q, const ScaledPoint& middle) {
   const auto& [low, high] = p.x < q.x ? std::tie(p, q) : std::tie(q, p);
   if (middle.x < low.x || middle.x >= high.x) return false;
@@ -69,12 +69,12 @@ std::optional<Fault> NodedArrangement::check_settled() const {
   return std::nullopt;
 }
 
-//   ^ y      left, where e runs to the right        A vertical edge is seen from just beside it, on its right in the
-//   |    from ----- middle ----> to                 picture: the ray starts there, and e itself is not on it.
-//   |                  | the ray: the sum of the
-//   +                  v changes below it is the winding number below e
+//   ^ y      left side, if e runs to the right      For a vertical edge the ray starts just right of it,
+//   |    from ----- middle ----> to                 and does not meet e itself.
+//   |                  | The ray: the sum of the changes
+//   +                  v below it is the winding number below e.
 NodedArrangement::Sides NodedArrangement::sides_of(std::size_t e) const {
-  // Both ends are even numbers of half units, so the middle is exact.
+  // Both ends are even numbers of half units, so the midpoint is exact.
   const ScaledPoint middle{(from_[e].x + to_[e].x) / 2, (from_[e].y + to_[e].y) / 2};
   int a = 0, b = 0;
   for (std::size_t f = 0; f < edges_.size(); ++f) {
@@ -97,7 +97,8 @@ NodedArrangement::Areas NodedArrangement::twice_areas() const {
     const Sides s = sides_of(e);
     const ScaledPoint p = scale_(edges_[e].from), q = scale_(edges_[e].to);
     const WideInteger swept = p.x * q.y - q.x * p.y;
-    // An edge bounds a region when it has the region on one side only; on the left it runs forward.
+    // An edge bounds a region if the region is on exactly one side of it. If this is the left side, the edge runs
+    // forward.
     const auto add = [&](WideInteger& area, bool left, bool right) {
       if (left && !right) area += swept;
       if (right && !left) area -= swept;

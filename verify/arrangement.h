@@ -1,8 +1,8 @@
-// A noded arrangement, its winding numbers and the areas of its faces, recomputed by exact integers.
+// A noded arrangement, with its winding numbers and the areas of its faces, recomputed with exact integers.
 //
-// The pipeline chooses its results from one set of noded edges, whatever the operation. On that set nothing is rounded
-// any more, so areas are exact and must add up exactly: |A or B| + |A and B| = |A| + |B|. Here the winding numbers come
-// from a ray down from the middle of each edge, one edge at a time: slow, simple, and not how any engine labels.
+// For every operation, the pipeline selects its result from the same set of noded edges. Nothing is rounded after that,
+// so areas are exact and must add up exactly: |A or B| + |A and B| = |A| + |B|. Here a ray downwards from the midpoint
+// of each edge gives the winding numbers. This is slow and simple, and independent of how the engines label.
 #pragma once
 
 #include <oblast/options.h>
@@ -15,8 +15,7 @@
 
 namespace oblast::verify {
 
-/// An edge after noding, and how much the winding numbers of A and B grow when it is crossed from its right to its
-/// left.
+/// An edge after noding, and the change of the winding numbers of A and B from its right side to its left side.
 struct NodedEdge {
   Point from;
   Point to;
@@ -26,11 +25,11 @@ struct NodedEdge {
 
 class NodedArrangement {
  public:
-  /// Rules that read polygons one by one count how many polygons cover a place: each has winding number 1 on its
-  /// region. REQUIRES: edges in the domain and not of length zero.
+  /// For fill rules that use polygons one by one, each polygon has winding number 1 in its region, so the sum is the
+  /// number of polygons that cover a place. REQUIRES: edges are in the domain and do not have length zero.
   NodedArrangement(std::vector<NodedEdge> edges, const FillRule& rule_a, const FillRule& rule_b);
 
-  /// Two edges that cross, overlap, or of which one touches the inside of the other. Cost: quadratic.
+  /// Finds two edges that cross or overlap, or of which one touches the inside of the other. Cost: quadratic.
   std::optional<Fault> check_settled() const;
 
   /// Twice the area of A op B, and of the operands, in square units of the scale. Cost: quadratic.
@@ -41,7 +40,7 @@ class NodedArrangement {
   };
   Areas twice_areas() const;
 
-  /// Twice the area enclosed by a contour whose vertices are vertices of the arrangement, counter-clockwise positive.
+  /// Twice the signed area of a contour (positive if counter-clockwise) whose vertices are vertices of the arrangement.
   WideInteger twice_area_of(std::span<const Point> contour) const;
 
  private:

@@ -1,4 +1,4 @@
-// The form of G3: where contours start, and in which order they and the polygons come.
+// Checks the canonical form (G3): the first vertex of each contour, and the order of contours and polygons.
 #include <algorithm>
 #include <cmath>
 #include <span>

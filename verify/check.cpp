@@ -1,4 +1,4 @@
-// The checks of a result, in the order in which each may rely on those before it.
+// The checks of a result, in an order in which each may rely on those before it.
 #include "verify/contours.h"
 #include "verify/sweep.h"
 #include "verify/verify.h"

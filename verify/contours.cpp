@@ -1,4 +1,4 @@
-// The checks of single contours: their form, whether they are simple, which of them are outer ones.
+// The checks of single contours: their form, whether they are simple, and which are outer contours.
 #include "verify/contours.h"
 
 #include <oblast/domain.h>
@@ -13,15 +13,15 @@
 namespace oblast::verify {
 namespace {
 
-// A ray of a walk's pass through a vertex: towards the vertex before or after.
+// A ray at a vertex through which a walk passes, towards the vertex before or after it.
 struct Ray {
   std::uint32_t pass;
   bool out;
   Point towards;
 };
 
-// At the vertex where all of `passes` go through: the ray after `out`, counter-clockwise, must be the
-// same pass's ray back to where it came from; between them lies the sector of the interior it hugs.
+// All `passes` go through one vertex. The next ray after `out`, counter-clockwise, must be the ray of the same pass
+// back to the vertex from which it came. Between the two lies the sector of the interior that the walk follows.
 //
 //            in \   interior   / out
 //                \   sector   /           no other ray between out and in
@@ -57,8 +57,7 @@ std::optional<Fault> check_passes(const Edges& edges, std::span<const std::uint3
   return std::nullopt;
 }
 
-// True when the contour's interior side, at its smallest vertex, is not the side of the plane to the left
-// of all of it: the lowest edge there runs away from it.
+// True if the outside of the contour is to the west of its smallest vertex: the lowest edge there runs away from it.
 bool is_outer(const Edges& edges, std::uint32_t contour) {
   const std::uint32_t begin = edges.regions.contour_begin(contour), end = edges.regions.contour_end(contour);
   Point at = edges.from(begin);
@@ -123,7 +122,7 @@ std::optional<Fault> check_walks(const Edges& edges, ContourConvention conventio
   for (std::uint32_t v = 0; v < edges.size(); ++v) previous[edges.next[v]] = v;
   std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
     if (edges.from(v) != edges.from(w)) return lexicographically_less(edges.from(v), edges.from(w));
-    return v < w;  // so passes of one contour stand together
+    return v < w;  // passes of one contour are then consecutive
   });
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first + 1;

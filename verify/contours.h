@@ -1,4 +1,4 @@
-// The checks of single contours: their form, whether they are simple, which of them are outer ones.
+// The checks of single contours: their form, whether they are simple, and which are outer contours.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,15 @@
 
 namespace oblast::verify {
 
-/// Offsets that increase and end where their arrays do; no polygon without a contour.
+/// Checks that offsets increase and end at the sizes of their arrays, and that each polygon has a contour.
 std::optional<Fault> check_offsets(const RegionView& regions);
 
-/// Coordinates finite and in the domain, contours of three vertices or more, no repeated neighbours.
+/// Checks that coordinates are finite and in the domain, that contours have at least three vertices, and that no
+/// neighbours are equal.
 std::optional<Fault> check_vertices(const Edges& edges);
 
-/// Under `ogc`: no contour visits a vertex twice. Under `leonov_nikitin`: every walk hugs one sector of
-/// the interior at each vertex. REQUIRES: check_plane found no fault. Cost: O(n log n).
+/// With `ogc`: no contour visits a vertex twice. With `leonov_nikitin`: every walk follows one sector of the interior
+/// at each vertex. REQUIRES: check_plane found no fault. Cost: O(n log n).
 std::optional<Fault> check_walks(const Edges& edges, ContourConvention convention);
 
 /// The first contour of each polygon is an outer one, the others are holes.

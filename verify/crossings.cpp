@@ -1,5 +1,5 @@
-// Places where input edges cross: cells around the middles of edges are halved until few edges are in them, whose pairs
-// are then tried.
+// Finds places where input edges cross. Cells around the midpoints of edges are halved until they have few edges. Then
+// all pairs of edges of a cell are tested.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -10,8 +10,8 @@
 namespace oblast::verify {
 namespace {
 
-constexpr std::size_t few = 48;                // edges in a cell whose pairs are all tried
-constexpr std::size_t pairs_in_a_crowd = 500;  // tried where a cell cannot be made emptier
+constexpr std::size_t few = 48;                // with up to this many edges in a cell, all pairs are tested
+constexpr std::size_t pairs_in_a_crowd = 500;  // number of pairs that are tested if a cell cannot be divided
 constexpr int most_depth = 60;
 
 class Search {
@@ -65,11 +65,11 @@ class Search {
     const double dx = e.to.x - e.from.x, dy = e.to.y - e.from.y;
     const double fx = f.to.x - f.from.x, fy = f.to.y - f.from.y;
     const double t = ((f.from.x - e.from.x) * fy - (f.from.y - e.from.y) * fx) / (dx * fy - dy * fx);
-    if (!(t >= 0 && t <= 1)) return;  // parallel, or hopelessly rounded
+    if (!(t >= 0 && t <= 1)) return;  // parallel, or the rounding error is too large
     keep({e.from.x + t * dx, e.from.y + t * dy});
   }
 
-  // Each of those found is kept with the same chance.
+  // Keeps each crossing with the same probability.
   void keep(const Point& p) {
     ++count_;
     if (found_.size() < most_) return found_.push_back(p);

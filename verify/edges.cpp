@@ -1,4 +1,4 @@
-// A result's edges and how faults name them.
+// The edges of a result, and their names in faults.
 #include "verify/edges.h"
 
 #include <array>

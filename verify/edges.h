@@ -1,4 +1,4 @@
-// A result's edges, each knowing its contour and polygon: what the checks of G2 work on.
+// The edges of a result, with their contours and polygons. The checks of G2 use them.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -24,7 +24,7 @@ struct Edges {
   const Point& from(std::uint32_t e) const { return regions.points[e]; }
   const Point& to(std::uint32_t e) const { return regions.points[next[e]]; }
 
-  /// True when edge e runs in lexicographic order.
+  /// True if edge e runs in lexicographic order.
   bool forward(std::uint32_t e) const { return lexicographically_less(from(e), to(e)); }
   const Point& left_end(std::uint32_t e) const { return forward(e) ? from(e) : to(e); }
   const Point& right_end(std::uint32_t e) const { return forward(e) ? to(e) : from(e); }
@@ -35,7 +35,7 @@ struct Edges {
   Fault fault_at(std::uint32_t vertex, const std::string& what) const;
 };
 
-/// "(1, 2.5)", every digit that matters.
+/// A text such as "(1, 2.5)", with enough digits to read back the same bits.
 std::string to_text(const Point& p);
 
 }  // namespace oblast::verify

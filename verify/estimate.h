@@ -1,7 +1,7 @@
-// A number known to within an error: most questions are answered by it, the rest by exact rationals.
+// A number with a bound of its error. It decides most tests; exact rationals decide the others.
 //
-// Works with any long double that is at least as precise as a double; where it is a double, more questions are left
-// to the rationals.
+// Works with any long double that is at least as precise as a double. If long double is double, rationals decide more
+// tests.
 #pragma once
 
 #include <cmath>
@@ -25,8 +25,8 @@ struct Estimate {
   bool certainly_positive() const { return value > error; }
 };
 
-// Twice the rounding of an operation, so that the roundings of least() and most() are counted too; and the error's own
-// arithmetic is made up for by a factor.
+// Adds twice the rounding error of an operation, to include the rounding of least() and most(). A factor compensates
+// for the rounding of the error itself.
 inline Estimate with_rounding(long double value, long double error) {
   constexpr long double unit = 2 * std::numeric_limits<long double>::epsilon();
   return {value, (error + std::abs(value) * unit) * (1 + 0x1p-20L)};
@@ -49,7 +49,7 @@ inline Estimate operator/(const Estimate& a, const Estimate& b) {
   return with_rounding(quotient, (a.error + std::abs(quotient) * b.error) / least);
 }
 
-/// Certainly less; false where it is not known.
+/// True if a is certainly less than b; false if this is unknown.
 inline bool certainly_less(const Estimate& a, const Estimate& b) { return a.most() < b.least(); }
 
 struct EstimatedPoint {
@@ -61,7 +61,7 @@ struct EstimatedPoint {
   explicit EstimatedPoint(const Point& p) : x(p.x), y(p.y) {}
 };
 
-/// Where the lines through ab and cd meet; of infinite error where they may be parallel.
+/// The intersection of the lines through ab and cd. The error is infinite if they may be parallel.
 inline EstimatedPoint estimated_crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Estimate dx1 = Estimate(b.x) - Estimate(a.x), dy1 = Estimate(b.y) - Estimate(a.y);
   const Estimate dx2 = Estimate(d.x) - Estimate(c.x), dy2 = Estimate(d.y) - Estimate(c.y);

@@ -1,20 +1,20 @@
-// Fixed point of 1,536 bits.
+// Fixed-point numbers with 1,536 bits.
 #include "verify/exact_sum.h"
 
 #include <cmath>
 
 namespace oblast::verify {
 
-// A product of two numbers of 53 bits is the sum of two such numbers, which a fused multiply-add finds. Coordinates are
-// multiples of 2^-352 up to 2^300, so the smaller part is a multiple of 2^-704.
+// The product of two 53-bit numbers is the sum of two such numbers, which a fused multiply-add computes. Coordinates
+// are multiples of 2^-352 up to 2^300, so the smaller part is a multiple of 2^-704.
 void ExactSum::add_product(double x, double y) {
   const double product = x * y;
   add(product);
   add(std::fma(x, y, -product));
 }
 
-// 53 bits, moved by up to 31, are spread over three limbs; each grows by less than 2^33 at a time, so there is room for
-// 2^29 terms before they are carried.
+// 53 bits, shifted by up to 31, are divided over three limbs. Each limb grows by less than 2^33 per term, so 2^29 terms
+// can be added before the limbs must be carried.
 void ExactSum::add(double term) {
   if (term == 0) return;
   int exponent = 0;

@@ -1,4 +1,4 @@
-// Sums of products of doubles without rounding, in linear time: the area of a result of any size.
+// Exact sums of products of doubles, in linear time, for the area of a result of any size.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -12,10 +12,10 @@ namespace oblast::verify {
 
 /// A sum in fixed point, wide enough for products of coordinates in the domain.
 ///
-///   value = sum of limbs_[i] 2^(32 i - 768), limbs may be large and of either sign until carried
+///   value = sum of limbs_[i] 2^(32 i - 768); before they are carried, limbs may be large and have either sign
 class ExactSum {
  public:
-  /// Adds x y, exactly. REQUIRES: x and y are in the domain, fewer than 2^40 of them in all.
+  /// Adds the exact product x y. REQUIRES: x and y are in the domain; fewer than 2^40 products in total.
   void add_product(double x, double y);
   Rational value() const;
 
@@ -30,10 +30,10 @@ class ExactSum {
   std::uint32_t since_carry_ = 0;
 };
 
-/// As exact_signed_area (verify/slabs.h), for any number of vertices. Cost: linear.
+/// The same as exact_signed_area (verify/slabs.h), for any number of vertices. Cost: linear.
 Rational exact_area_of(const RegionView& regions);
 
-/// The length of all edges, in doubles.
+/// The total length of all edges, computed in doubles.
 double length_of_edges(const RegionView& regions);
 
 }  // namespace oblast::verify

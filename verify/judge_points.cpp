@@ -1,15 +1,15 @@
-// Where points are, found by walking.
+// Locates points by walking.
 //
-// A walker who knows where he is (inside which polygons, how often each contour goes round him) knows it still after a
-// walk, from the edges he stepped over. So points are halved, across the wider side of their box, until few are left.
-// With the points goes the list of edges that can reach their box, and a walker at its lower left corner. To go from a
-// corner to the next, and from the corner to a point, he walks to the side and then up, which leaves the box of the
-// points above nowhere; so the edges he may step over are in its list.
+// A walker stores where it is: inside which polygons, and the winding number of each contour around it. The edges that
+// it crosses on a walk update this. So the set of points is halved, across the wider side of its box, until few points
+// remain. Each set has a list of the edges that can reach its box, and a walker at the lower left corner of the box.
+// From a corner to the next one, and from a corner to a point, the walker goes sideways and then up. This path stays in
+// the box of the larger set, so all edges that it may cross are in that list.
 //
 //      +----------------+    points of one half: .
 //      |         ......p|    their corner: o, the corner above: *
 //      |         :      |
-//      |    o----+ .    |    afterwards every step is taken back.
+//      |    o----+ .    |    Afterwards every step is undone.
 //      |    ' .     .   |
 //      *----+-----------+
 #include "verify/judge_points.h"
@@ -46,12 +46,12 @@ class Judge {
         margin_(bound + rounding_along(segments)),
         walker_(segments, Membership(question.rule_a, question.polygons_a, question.rule_b, question.polygons_b)) {}
 
-  // Judges the probes whose indices are given, which it puts in another order.
+  // Judges the probes with the given indices. Changes the order of the indices.
   Found run(std::span<std::uint32_t> order) {
     if (order.empty()) return {};
     Edges32 all(segments_.size());
     std::iota(all.begin(), all.end(), 0u);
-    // Left of everything and below it, where nothing is inside.
+    // A point left of everything and below everything, which is outside of everything.
     const Box& box = segments_.box();
     descend({box.x0, box.y0}, all, order);
     return std::move(found_);
@@ -160,7 +160,7 @@ std::optional<WrongPlace> judge_points(const Segments& segments, const Question&
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t p, std::uint32_t q) { return probes[p].at.x < probes[q].at.x; });
-  // Strips of as many points for each thread.
+  // Each thread gets a strip with the same number of points.
   std::vector<std::future<Found>> strips;
   strips.reserve(static_cast<std::size_t>(threads));
   for (int t = 0; t < threads; ++t) {

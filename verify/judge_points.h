@@ -1,4 +1,5 @@
-// Judging many points at once: a descent into ever smaller boxes of points, with the edges that can reach them.
+// Judges many points at once, by descending into smaller and smaller boxes of points with the edges that can reach
+// them.
 #pragma once
 
 #include <span>
@@ -8,14 +9,14 @@
 
 namespace oblast::verify {
 
-/// The question a result answers.
+/// The operands, fill rules and operation of a result.
 struct Question {
   Operation operation;
   FillRule rule_a, rule_b;
   std::size_t polygons_a, polygons_b;
 };
 
-/// Counts into the report and returns the first wrong point, by the order of probes.
+/// Adds counts to the report. Returns the first wrong point in the order of probes.
 std::optional<WrongPlace> judge_points(const Segments& segments, const Question& question,
                                        std::span<const Probe> probes, double bound, int threads, OracleReport& report);
 

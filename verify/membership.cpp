@@ -1,4 +1,4 @@
-// The fill rules, one step at a time.
+// The fill rules, for one step at a time.
 #include "verify/membership.h"
 
 #include <algorithm>
@@ -33,9 +33,9 @@ void Membership::Side::step_over(const Segment& s, int side) {
   covering += inside_polygon != 0 ? 1 : -1;
 }
 
-// By winding numbers, each uncertain edge may add its change. By polygons: a polygon with one uncertain edge is here or
-// not. With two or more its edges may have changed places, and it may go round a sliver between them twice or the wrong
-// way, which counts; each edge changes that by one at most.
+// With a rule on winding numbers, each uncertain edge may add its change. With a rule on polygons, a polygon with one
+// uncertain edge either covers the place or not. With two or more, its edges may have changed places, and the polygon
+// may wind around a sliver between them twice or in the wrong direction. Each edge changes the count by at most one.
 MayBe Membership::Side::may_be_inside(std::span<UncertainEdge> edges) const {
   std::int64_t low = rule.by_polygon() ? covering : winding, high = low;
   if (!rule.by_polygon()) {
@@ -57,7 +57,7 @@ MayBe Membership::Side::may_be_inside(std::span<UncertainEdge> edges) const {
   return by_number(low, high);
 }
 
-// Whether numbers from low to high may mean inside, or outside.
+// Whether the numbers from low to high may mean inside, and whether they may mean outside.
 MayBe Membership::Side::by_number(std::int64_t low, std::int64_t high) const {
   switch (rule.kind) {
     case FillRule::Kind::polygons:

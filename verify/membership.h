@@ -1,4 +1,5 @@
-// Where a walker through the plane is: inside A, inside B, and how often the result goes round him.
+// The state of a walker in the plane: whether it is inside A and inside B, and the winding number of the result around
+// it.
 #pragma once
 
 #include <oblast/options.h>
@@ -11,39 +12,41 @@
 
 namespace oblast::verify {
 
-/// An edge of an operand of which it is not certain on which side the walker is, and where he is in truth.
+/// An edge of an operand for which the true side of the walker is uncertain, with the side on which it is computed to
+/// be.
 struct UncertainEdge {
   const Segment* segment;
   int side;
 };
 
-/// What may be true.
+/// The possible answers.
 struct MayBe {
   bool yes, no;
 };
 
-/// Starts outside of everything. Memory: a byte for each polygon of an operand whose rule reads polygons.
+/// Starts outside of everything. Memory: one byte per polygon of an operand whose fill rule uses polygons.
 class Membership {
  public:
   Membership(const FillRule& a, std::size_t polygons_a, const FillRule& b, std::size_t polygons_b);
 
-  /// The walker steps over the edge, to its left (+1) or to its right (-1).
+  /// The walker crosses the edge, to its left (+1) or to its right (-1).
   void step_over(const Segment& s, int side);
 
   bool in_a() const { return a_.inside(); }
   bool in_b() const { return b_.inside(); }
-  /// Whether A (or B) may be here or not, with each of the uncertain edges on either side. Sorts them.
+  /// Whether the walker may be inside or outside A (or B) if each uncertain edge may be on either side. Sorts the
+  /// edges.
   MayBe may_be_in_a(std::span<UncertainEdge> edges_of_a) const { return a_.may_be_inside(edges_of_a); }
   MayBe may_be_in_b(std::span<UncertainEdge> edges_of_b) const { return b_.may_be_inside(edges_of_b); }
 
-  /// 0 or 1 in a result that is closed.
+  /// The winding number of the result. For a closed result it is 0 or 1.
   int result_winding() const { return result_winding_; }
 
  private:
   struct Side {
     FillRule rule;
-    std::vector<std::uint8_t> odd;  // by polygon: is its even-odd rule inside here? Empty where not needed.
-    std::int64_t covering = 0;      // how many polygons are
+    std::vector<std::uint8_t> odd;  // by polygon: whether the walker is inside by even-odd; empty if not needed
+    std::int64_t covering = 0;      // number of polygons that the walker is inside
     std::int64_t winding = 0;
 
     void step_over(const Segment& s, int side);

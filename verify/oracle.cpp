@@ -1,4 +1,4 @@
-// The oracle: points, then lines.
+// The oracle: tests points, then lines.
 #include "verify/oracle.h"
 
 #include <thread>

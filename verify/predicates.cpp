@@ -12,7 +12,7 @@ namespace {
 
 int sign(double x) { return (x > 0) - (x < 0); }
 
-// Whether the rounded difference d = p - q is exact: both operands come back from it.
+// True if the rounded difference d = p - q is exact: both operands can be restored from it.
 bool exact_difference(double p, double q, double d) {
   const double q_back = p - d;
   const double p_back = q_back + d;
@@ -28,10 +28,10 @@ int side_by_integers(const Point& a, const Point& b, const Point& c) {
 
 // The determinant is left - right, left = (bx - ax)(cy - ay), right = (by - ay)(cx - ax).
 //
-// Inside the domain a difference of two coordinates is 0 or at least 2^-352 and at most 2^301, so the
-// products neither underflow nor overflow. Each difference and product carries a relative error of at
-// most e = 2^-53, so each product is within a factor (1 + e)^3 of the truth and the final subtraction
-// adds one more: the total error is below (4e + O(e^2)) (|left| + |right|) < 8e (|left| + |right|).
+// In the domain, a difference of two coordinates is 0, or at least 2^-352 and at most 2^301. So the products neither
+// underflow nor overflow. Each difference and product has a relative error of at most e = 2^-53. So each product is
+// within a factor (1 + e)^3 of the exact value, and the final subtraction adds another factor. The total error is below
+// (4e + O(e^2)) (|left| + |right|) < 8e (|left| + |right|).
 int side_of_line(const Point& a, const Point& b, const Point& c) {
   if (a == c || b == c || a == b) return 0;
   const double abx = b.x - a.x, aby = b.y - a.y;
@@ -41,7 +41,7 @@ int side_of_line(const Point& a, const Point& b, const Point& c) {
   const double determinant = left - right;
   if (std::abs(determinant) > 0x1p-50 * (std::abs(left) + std::abs(right))) return sign(determinant);
 
-  // Small integers and collinear points on one axis end here: all six operations were exact.
+  // Small integers and points on a line along an axis are decided here: all six operations were exact.
   if (exact_difference(b.x, a.x, abx) && exact_difference(b.y, a.y, aby) && exact_difference(c.x, a.x, acx) &&
       exact_difference(c.y, a.y, acy) && std::fma(abx, acy, -left) == 0 && std::fma(aby, acx, -right) == 0) {
     return (left > right) - (left < right);
@@ -60,8 +60,8 @@ bool meet_badly(const Point& a, const Point& b, const Point& c, const Point& d) 
   if (b == c) return same_direction(b, a, d);
   if (b == d) return same_direction(b, a, c);
 
-  // Four different end points. The boxes meet, so collinear segments overlap (a box of a segment is
-  // that segment's shadow on both axes), and others meet when each has no two ends on one side of the other.
+  // Four different end points. The boxes meet, so collinear segments overlap (the box is the projection on both axes).
+  // Other segments meet if neither has both ends on one side of the other.
   const int c_side = side_of_line(a, b, c), d_side = side_of_line(a, b, d);
   if (c_side * d_side > 0) return false;
   const int a_side = side_of_line(c, d, a), b_side = side_of_line(c, d, b);

@@ -1,19 +1,19 @@
-// The two exact questions the checker asks of points: the side of a line, and whether edges meet.
+// The exact predicates of the checker: the side of a line, whether edges meet, and the order of directions.
 #pragma once
 
 #include <oblast/point.h>
 
 namespace oblast::verify {
 
-/// +1 when `c` lies to the left of the directed line a -> b, -1 to its right, 0 on it. Exact for
+/// +1 if `c` lies to the left of the directed line a -> b, -1 to its right, 0 on it. Exact for
 /// coordinates in the domain.
 int side_of_line(const Point& a, const Point& b, const Point& c);
 
-/// True when the closed segments ab and cd have a point in common that is not an end point of both,
-/// or when they share more than one point. Exact.
+/// True if the closed segments ab and cd have a point in common that is not an end point of both,
+/// or if they share more than one point. Exact.
 bool meet_badly(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// True when the directions u -> a and u -> b are the same (parallel and not opposite). Exact.
+/// True if the directions u -> a and u -> b are the same (parallel and not opposite). Exact.
 /// REQUIRES: a != u, b != u.
 bool same_direction(const Point& u, const Point& a, const Point& b);
 

@@ -1,4 +1,4 @@
-// Choosing points. Nothing here needs to be exact: wherever a point lies, it is judged exactly.
+// Chooses points. Nothing here needs to be exact, because every point is judged exactly.
 #include "verify/probes.h"
 
 #include <oblast/domain.h>
@@ -26,7 +26,7 @@ class Chooser {
     }
   }
 
-  // Points on both sides of edges [first, last), at even steps.
+  // Adds points on both sides of edges [first, last), at equal steps.
   void by_edges(std::uint32_t first, std::uint32_t last, std::uint64_t count) {
     for_even_steps(first, last, count / 2, [&](const Segment& s) {
       const double dx = s.to.x - s.from.x, dy = s.to.y - s.from.y, length = std::hypot(dx, dy);
@@ -42,7 +42,7 @@ class Chooser {
     for_even_steps(first, last, count, [&](const Segment& s) { about(s.from, ProbeKind::by_vertex); });
   }
 
-  // Every other one is a vertex that no operand has, if there is any.
+  // Every other point is a vertex that no operand has, if there is any.
   void at_result_vertices(std::uint64_t count) {
     const std::uint64_t count_new = new_vertices_.empty() ? 0 : count / 2;
     for (std::uint64_t i = 0; i < count_new; ++i) add(step_through_new(i, count_new), ProbeKind::result_vertex);
@@ -50,7 +50,7 @@ class Chooser {
                    [&](const Segment& s) { add(s.from, ProbeKind::result_vertex); });
   }
 
-  // Crossings that the result shows, and others that were found without it.
+  // Adds crossings that are vertices of the result, and others that were found independently of it.
   void by_crossings(std::uint64_t count) {
     if (count == 0) return;
     const std::vector<Point> places = some_crossings(segments_, count, random_);
@@ -103,7 +103,7 @@ class Chooser {
     add({p.x + away * std::cos(angle), p.y + away * std::sin(angle)}, kind);
   }
 
-  // Points outside of the domain are of no use: predicates are not made for them.
+  // Points outside the domain are left out, because the predicates are not exact for them.
   void add(Point p, ProbeKind kind) {
     if (!in_domain(p.x)) p.x = 0;
     if (!in_domain(p.y)) p.y = 0;

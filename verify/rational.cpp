@@ -15,8 +15,8 @@ double round_to_nearest(const Rational& value) {
   Integer numerator = mp::abs(mp::numerator(value));
   Integer denominator = mp::denominator(value);
 
-  // Scale so that the quotient has 55 or 56 bits: 53 to keep, and at least two to round by, the rest
-  // of the division being remembered in the last bit.
+  // Scale such that the quotient has 55 or 56 bits: 53 bits to keep, and at least two for rounding. The last bit also
+  // says whether the division has a remainder.
   const auto bits = [](const Integer& i) { return static_cast<int>(mp::msb(i)) + 1; };
   const int shift = 55 - (bits(numerator) - bits(denominator));
   if (shift > 0) {
@@ -52,8 +52,8 @@ std::optional<RationalPoint> intersection_of_segments(const Point& a, const Poin
   const Rational dx2 = s.x - r.x, dy2 = s.y - r.y;
   const Rational determinant = dx1 * dy2 - dy1 * dx2;
   if (determinant.is_zero()) {
-    // Parallel: one common point only where collinear segments touch end to end. Collinear ones that
-    // overlap have many.
+    // Parallel segments have exactly one common point only if they are collinear and touch at ends. Overlapping ones
+    // have many.
     if (!(dx1 * (r.y - p.y) - dy1 * (r.x - p.x)).is_zero()) return std::nullopt;
     const auto [low1, high1] = lexicographically_less(a, b) ? std::pair(a, b) : std::pair(b, a);
     const auto [low2, high2] = lexicographically_less(c, d) ? std::pair(c, d) : std::pair(d, c);

@@ -1,4 +1,4 @@
-// Exact rational points, and the correctly rounded way back to doubles.
+// Exact rational points, and their correct rounding to doubles.
 #pragma once
 
 #include <oblast/point.h>
@@ -8,7 +8,7 @@
 
 namespace oblast::verify {
 
-// Without expression templates: `auto` and ternaries then mean what they say.
+// Without expression templates, so `auto` and the conditional operator work as usual.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 using Rational =
     boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
@@ -29,11 +29,11 @@ struct RationalPoint {
 /// REQUIRES: the result is zero or a normal double.
 double round_to_nearest(const Rational& value);
 
-/// The coordinate nearest to `value`: round_to_nearest, but a magnitude below the domain becomes 0 or the domain's
-/// smallest, whichever is nearer, 0 where both are.
+/// The coordinate nearest to `value`: as round_to_nearest, but a magnitude below the domain becomes 0 or the smallest
+/// magnitude of the domain, whichever is nearer (0 if both are equally near).
 double round_into_domain(const Rational& value);
 
-/// The one point where the lines through ab and cd meet, if the closed segments meet in exactly one point.
+/// The common point of the closed segments ab and cd, if they have exactly one.
 std::optional<RationalPoint> intersection_of_segments(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// The square of the distance from `p` to the closed segment ab.

@@ -1,4 +1,4 @@
-// Doubles as integers on a common scale.
+// Converts doubles to integers on a common scale.
 #include "verify/scaled.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int mantissa_bits = 53;
 
-// e where value = m 2^e with an m of 53 bits.
+// The exponent e of value = m 2^e, with an integer m of 53 bits.
 int exponent_of(double value) {
   int exponent = 0;
   std::frexp(value, &exponent);

@@ -1,8 +1,8 @@
 // Doubles as integers on a common scale: exact sums and products without fractions.
 //
-// A double is m 2^e, m an integer of 53 bits. In units of 2^e for the smallest e at hand, every coordinate is an
-// integer. Inside the domain e runs from -352 to 248, so coordinates have at most 653 bits, and a determinant of
-// differences at most 1310: WideInteger holds it, and holds it without allocating.
+// A double is m 2^e, with an integer m of 53 bits. In units of 2^e for the smallest e, every coordinate is an integer.
+// In the domain e is from -352 to 248, so coordinates have at most 653 bits, and a determinant of differences has at
+// most 1310. WideInteger can hold it without allocating memory.
 #pragma once
 
 #include <oblast/point.h>
@@ -23,10 +23,10 @@ struct ScaledPoint {
   WideInteger y;
 };
 
-/// The unit of a set of doubles: the largest power of two of which all are multiples that are needed here.
+/// The unit of a set of doubles: a power of two of which all of them are multiples.
 class Scale {
  public:
-  /// REQUIRES: coordinates in the domain.
+  /// REQUIRES: coordinates are in the domain.
   explicit Scale(std::span<const Point> points);
 
   /// The unit is 2 to this power.

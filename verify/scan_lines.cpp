@@ -1,17 +1,18 @@
-// One line at a time: where edges cross it, blurred by how far rounding may have moved that.
+// Scans one line at a time. Each crossing with an edge is widened to a blur, the distance by which rounding may have
+// moved it.
 //
 //      a      b  c               d
-//   ---(x)---(x)(x)----(r)------(x)---     x: an input edge crosses the line at about the middle of ( )
+//   ---(x)---(x)(x)----(r)------(x)---     x: an input edge crosses the line near the middle of ( )
 //      1    2         3        4           r: an edge of the result does
 //
-// In the clear stretches between the blurs A op B does not change, nor may the result: r is a fault. Through a blur all
-// its edges are stepped over, those of the result too; then both are compared again.
+// In the stretches between the blurs, A op B does not change. So the result must not change either: r is a fault. At a
+// blur the scan steps over all its edges, including those of the result. Then both are compared again.
 //
-// The crossing of an edge with the line at c is computed from the end that is nearer to it, so that its rounding error
-// is below 8 units of the largest coordinate (five operations, of which none has a larger result than that): each blur
-// is 16 units wider on either side, for its own error and that of the edges of the result.
+// The crossing of an edge with the line at c is computed from the nearer end. So its rounding error is below 8 units of
+// the largest coordinate (five operations, none with a larger result than that). Each blur is 16 units wider on either
+// side, for its own error and for that of the edges of the result.
 //
-// Lines stand between numbers, just above c: an edge crosses when one end is at most c and the other is more.
+// Lines are between numbers, just above c: an edge crosses if one end is at most c and the other is greater.
 #include "verify/scan_lines.h"
 
 #include <algorithm>
@@ -27,18 +28,18 @@ namespace {
 constexpr std::size_t crossings_at_a_time = std::size_t{1} << 22;
 
 struct Crossing {
-  double low, high;  // the blur; both the same for edges of the result
+  double low, high;  // the blur; both are equal for edges of the result
   std::uint32_t edge;
 };
 
-// Level lines: across is y, along is x. Upright ones: the reverse.
+// For horizontal lines, across is y and along is x. For vertical lines the reverse.
 struct Axis {
   bool upright;
 
   double across(const Point& p) const { return upright ? p.x : p.y; }
   double along(const Point& p) const { return upright ? p.y : p.x; }
   Point point(double along, double across) const { return upright ? Point{across, along} : Point{along, across}; }
-  // The side of the edge on which one is after crossing it with `along` growing.
+  // The side of the edge after crossing it with increasing `along`.
   int side_after(const Segment& s) const { return (across(s.to) > across(s.from)) == upright ? 1 : -1; }
 };
 
@@ -159,7 +160,7 @@ class LineSet {
         step(input[i]);
       }
       for (; r < result.size() && result[r].low <= end; ++r) step(result[r]);
-      if (i == input.size()) break;  // nothing is inside any more
+      if (i == input.size()) break;  // nothing is inside after the last edge
       ++found.stretches;
       const bool inside = selects(question_.operation, walker.in_a(), walker.in_b());
       if (walker.result_winding() == (inside ? 1 : 0)) continue;
@@ -176,7 +177,7 @@ class LineSet {
   double bound_, rounding_;
 };
 
-// Every other line lies anywhere, the others near vertices, which are where edges are.
+// Every other line is anywhere; the others are near vertices, because edges are there.
 std::vector<double> choose_lines(const Segments& segments, Axis axis, std::uint32_t count, std::mt19937_64& random) {
   const Box& box = segments.box();
   const double low = axis.across({box.x0, box.y0}), high = axis.across({box.x1, box.y1});

@@ -1,4 +1,4 @@
-// Edges and points: doubles where they surely decide, more bits elsewhere.
+// Tests of edges and points: doubles if they certainly decide, otherwise more bits.
 #include "verify/segments.h"
 
 #include <oblast/domain.h>
@@ -13,7 +13,7 @@
 namespace oblast::verify {
 namespace {
 
-// 113 bits: differences of coordinates may be rounded, but by less than 2^-112 of themselves.
+// 113 bits. Differences of coordinates may be rounded, but with a relative error below 2^-112.
 using Quad = boost::multiprecision::number<boost::multiprecision::cpp_bin_float_quad::backend_type,
                                            boost::multiprecision::et_off>;
 
@@ -61,8 +61,8 @@ double rounding_along(const Segments& segments) {
   return 16 * std::max(std::nextafter(largest, HUGE_VAL) - largest, segments.unit());
 }
 
-// The line is further from the centre of the box than any corner is, in the direction across it, and than the margin
-// and the rounding of the determinant.
+// False if the line is further from the centre of the box than any corner (measured across the line) plus the margin
+// and the rounding error of the determinant.
 bool may_reach(const Segment& s, const Box& box, double margin) {
   if (std::max(s.from.x, s.to.x) < box.x0 - margin || std::min(s.from.x, s.to.x) > box.x1 + margin ||
       std::max(s.from.y, s.to.y) < box.y0 - margin || std::min(s.from.y, s.to.y) > box.y1 + margin) {

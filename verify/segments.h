@@ -1,4 +1,4 @@
-// The edges of operands and result in one array, and the exact questions the oracle asks of an edge and a point.
+// The edges of operands and result in one array, and the exact tests of an edge and a point for the oracle.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -9,7 +9,7 @@
 
 namespace oblast::verify {
 
-/// Whose edge it is.
+/// The owner of an edge.
 enum class EdgeOf : std::uint8_t { a, b, result };
 
 struct Segment {
@@ -26,7 +26,7 @@ struct Box {
 };
 
 /// All edges of A, B and the result, without those of length zero.
-/// Throws std::length_error from 2^32 - 1 edges.
+/// Throws std::length_error for 2^32 - 1 edges or more.
 class Segments {
  public:
   Segments(const RegionView& a, const RegionView& b, const RegionView& result);
@@ -36,10 +36,10 @@ class Segments {
   /// The edges of A and B come first, those of the result after them.
   std::uint32_t input_count() const { return input_count_; }
 
-  /// The unit in the last place of the largest coordinate of A and B, but not less than the domain's smallest
-  /// magnitude (crossings are put into the domain). 0 without edges.
+  /// The unit in the last place of the largest coordinate of A and B, but at least the smallest magnitude of the domain
+  /// (crossings are rounded to the domain). 0 without edges.
   double unit() const { return unit_; }
-  /// Of all edges. REQUIRES: there are edges.
+  /// The box of all edges. REQUIRES: there are edges.
   const Box& box() const { return box_; }
 
  private:
@@ -51,33 +51,34 @@ class Segments {
   Box box_{};
 };
 
-/// More than coordinates computed along an edge, or in the middle of a box, are off by: 16 units in the last place of
-/// the largest coordinate of all.
+/// A bound of the error of coordinates that are computed along an edge or in the middle of a box: 16 units in the last
+/// place of the largest coordinate.
 double rounding_along(const Segments& segments);
 
-/// False only when no point of the segment lies within `margin` of the box in both coordinates. Doubles: true where it
-/// is close.
+/// False only if no point of the segment is within `margin` of the box in both coordinates. Computed in doubles: true
+/// in close cases.
 bool may_reach(const Segment& s, const Box& box, double margin);
 
 /// On which side of the segment's line q' lies, +1 left or -1 right, never 0. Here q' is q moved to the left by an
 /// infinitesimal and up by an infinitesimally smaller one, so that it lies on no line. Exact.
 int side_of(const Segment& s, const Point& q);
 
-/// True when the upright ray to the left (or right) of q' can meet the segment: one end lies above q', one below.
+/// True if the ray to the left (or right) of q' can meet the segment: one end is above q', one below.
 inline bool spans_height_of(const Segment& s, const Point& q) { return (s.from.y <= q.y) != (s.to.y <= q.y); }
-/// The same of the line up and down from q'.
+/// The same for the line up and down from q'.
 inline bool spans_width_of(const Segment& s, const Point& q) { return (s.from.x < q.x) != (s.to.x < q.x); }
 
-/// Whether p lies in the closed box of the segment.
+/// True if p lies in the closed box of the segment.
 bool in_box_of(const Segment& s, const Point& p);
 
-/// Whether p lies on the segment, ends included. Exact.
+/// True if p lies on the segment, ends included. Exact.
 bool lies_on(const Segment& s, const Point& p);
 
-/// The distance of p from the segment when p lies in its box: with 100 bits, then rounded to a double.
+/// The distance of p from the segment, with 100 bits, then rounded to a double. REQUIRES: p lies in the box of the
+/// segment.
 double distance_in_box(const Segment& s, const Point& p);
 
-/// True unless p certainly lies outside of the segment's box or further than `bound` from it.
+/// True unless p is certainly outside the box of the segment or further than `bound` from it.
 bool may_be_near(const Segment& s, const Point& p, double bound);
 
 }  // namespace oblast::verify

@@ -1,4 +1,4 @@
-// The exact arrangement of contours, cut into trapezoids.
+// The exact arrangement of contours, divided into trapezoids.
 #include "verify/slabs.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Segment {
   Point low, high;  // lexicographically; not vertical
   std::size_t operand;
   std::size_t polygon;
-  int winding;                     // change of the winding number when it is stepped over from below to above
+  int winding;                     // change of the winding number from below to above
   std::size_t begin = 0, end = 0;  // the slabs it spans: [begin, end)
 };
 
@@ -40,7 +40,7 @@ std::vector<Segment> segments_of(const std::vector<Operand>& operands) {
   return segments;
 }
 
-// Where one is, on the way up through a slab, relative to one operand.
+// The position relative to one operand, on the way up through a slab.
 class Inside {
  public:
   explicit Inside(const Operand& operand) : rule_(operand.rule), odd_(operand.regions.polygon_count(), false) {}
@@ -77,8 +77,8 @@ class Inside {
  private:
   FillRule rule_;
   int winding_ = 0;
-  std::vector<bool> odd_;  // by polygon: is its even-odd rule inside here?
-  int covering_ = 0;       // how many polygons are
+  std::vector<bool> odd_;  // by polygon: whether the position is inside by even-odd
+  int covering_ = 0;       // number of polygons that cover the position
 };
 
 Rational height_at(const Segment& s, const Rational& x) {
@@ -87,8 +87,8 @@ Rational height_at(const Segment& s, const Rational& x) {
   return y0 + (x - x0) * (Rational(s.high.y) - y0) / (Rational(s.high.x) - x0);
 }
 
-// Coordinates have at most 653 bits (scaled.h), so the x of a crossing is a fraction of at most 1962 and 1308 bits, and
-// what is multiplied to compare two has at most 3270.
+// Coordinates have at most 653 bits (scaled.h). So the x of a crossing is a fraction of at most 1962 and 1308 bits, and
+// the products that compare two of them have at most 3270.
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<3328, 3328, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,
@@ -99,7 +99,7 @@ struct Fraction {
   Wide denominator;
 };
 
-// A value > 0 by its first 64 bits, times 2 to the power of `shift`.
+// A value > 0, given by its first 64 bits, times 2 to the power of `shift`.
 struct Leading {
   long double value;
   int shift;
@@ -113,7 +113,7 @@ Estimate to_estimate(const Fraction& fraction, int exponent) {
   if (fraction.numerator.is_zero()) return 0.0;
   const Leading above = leading_bits(abs(fraction.numerator)), below = leading_bits(fraction.denominator);
   const long double size = std::ldexp(above.value / below.value, above.shift - below.shift + exponent);
-  // Each of both is less than 2^-63 too small; the rest is rounding.
+  // The relative error of each of the two is less than 2^-63; the rest is rounding.
   return {fraction.numerator.sign() < 0 ? -size : size, 8 * std::numeric_limits<long double>::epsilon() * size};
 }
 
@@ -123,7 +123,7 @@ std::vector<Point> ends_of(const std::vector<Segment>& segments) {
   return ends;
 }
 
-// The x of a vertex, or of a crossing of two segments.
+// The x coordinate of a vertex, or of a crossing of two segments.
 struct Abscissa {
   Estimate estimate;
   const Segment* one = nullptr;  // null: a vertex, and the estimate has no error
@@ -137,7 +137,7 @@ struct Abscissa {
 
 }  // namespace
 
-// The slabs between neighbouring abscissae, and in which order segments stand in them.
+// The slabs between neighbouring abscissae, and the order of segments in them.
 class Slabs {
  public:
   explicit Slabs(const std::vector<Operand>& operands)
@@ -181,14 +181,14 @@ class Slabs {
   }
 
  private:
-  // Two segments over the x they have in common: +1 where the second is above the first, -1 where it is below, 0 where
-  // they touch or coincide. Different signs at the two ends: they cross, at abscissa `crossing`.
+  // Two segments over their common range of x: +1 if the second is above the first, -1 if it is below, 0 if they touch
+  // or coincide. If the signs at the two ends differ, they cross, at abscissa `crossing`.
   struct Pair {
     std::int8_t at_begin = 0, at_end = 0;
     std::size_t crossing = 0;
   };
 
-  // +1 when p lies above s.
+  // +1 if p lies above s.
   static int above(const Segment& s, const Point& p) { return side_of_line(s.low, s.high, p); }
 
   void compare_all_pairs() {
@@ -209,7 +209,7 @@ class Slabs {
     }
   }
 
-  // Also says in which slab segments begin and end, and where pairs cross.
+  // Also sets the slabs in which segments begin and end, and in which pairs cross.
   void sort_abscissae() {
     const std::vector<Abscissa> unsorted = std::move(abscissae_);
     std::vector<std::optional<Fraction>> fractions(unsorted.size());
@@ -231,11 +231,11 @@ class Slabs {
     abscissae_.clear();
     for (std::size_t k = 0; k < order.size(); ++k) {
       if (k == 0 || less(order[k - 1], order[k])) abscissae_.push_back(unsorted[order[k]]);
-      // Of equal ones the vertex, which is known without error.
+      // Of equal abscissae it keeps a vertex, which has no error.
       if (unsorted[order[k]].one == nullptr) abscissae_.back() = unsorted[order[k]];
       rank[order[k]] = abscissae_.size() - 1;
     }
-    // Edges that are nearly parallel have crossings of which the first estimate says little.
+    // The first estimate of the crossing of nearly parallel edges is poor.
     for (Abscissa& a : abscissae_) {
       if (a.one != nullptr && !(a.estimate.error < std::abs(a.estimate.value) * 0x1p-58L))
         a.estimate = to_estimate(fraction(a), scale_.exponent());
@@ -251,7 +251,7 @@ class Slabs {
     }
   }
 
-  // In units of the scale; not reduced, the denominator greater than 0.
+  // In units of the scale. Not reduced; the denominator is greater than 0.
   Fraction fraction(const Abscissa& abscissa) const {
     if (abscissa.one == nullptr) return {Wide(scale_({static_cast<double>(abscissa.estimate.value), 0}).x), 1};
     const ScaledPoint a = scale_(abscissa.one->low), b = scale_(abscissa.one->high);
@@ -263,7 +263,7 @@ class Slabs {
     return {std::move(numerator), std::move(denominator)};
   }
 
-  // +1 when segment t is above segment s in the slab, which both span; 0 when they coincide there.
+  // +1 if segment t is above segment s in the slab, which both span; 0 if they coincide there.
   int order(std::size_t s, std::size_t t, std::size_t slab) const {
     if (s == t) return 0;
     if (s < t) return -order(t, s, slab);
@@ -273,7 +273,7 @@ class Slabs {
     return pair.crossing <= slab ? pair.at_end : pair.at_begin;
   }
 
-  // From the column of the slab before to that of this one; few change their places.
+  // Updates the column from the slab before to this slab. Few segments change their places.
   void update(std::vector<std::size_t>& column, std::size_t slab) const {
     std::erase_if(column, [&](std::size_t s) { return segments_[s].end <= slab; });
     for (std::size_t s = 0; s < segments_.size(); ++s) {
@@ -292,7 +292,7 @@ class Slabs {
   std::vector<Abscissa> abscissae_;  // sorted, all different
 };
 
-// The height in the middle of a slab is the mean height, so the product is the trapezoid's area.
+// The height in the middle of a slab is the mean height. So the product with the width is the area of the trapezoid.
 Rational Trapezoid::area() const {
   const Rational left = slabs_->left(slab_), right = slabs_->right(slab_), middle = (left + right) / 2;
   return (right - left) * (slabs_->height(high_, middle) - slabs_->height(low_, middle));

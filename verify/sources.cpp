@@ -1,4 +1,4 @@
-// The input edges that a result is made of: exact questions of distance and origin.
+// Exact tests of distance and origin, for the input edges of a result.
 #include "verify/sources.h"
 
 #include <oblast/domain.h>
@@ -19,7 +19,7 @@ Sources::Sources(const RegionView& a, const RegionView& b, const Options& option
   double largest = 0;
   for (const Point& p : vertices_) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   std::sort(vertices_.begin(), vertices_.end(), lexicographically_less);
-  // A crossing is put into the domain, which moves it by up to half its smallest magnitude.
+  // A crossing is rounded to the domain, which moves it by up to half of the smallest magnitude.
   unit_ = std::max(std::nextafter(largest, HUGE_VAL) - largest, domain_smallest);
   bound_ = bound_ulps * unit_;
   squared_bound_ = Rational(bound_) * Rational(bound_);
@@ -44,8 +44,8 @@ bool Sources::is_vertex(const Point& p) const {
 
 namespace {
 
-// Whether p is the rounded meeting of two edges, if that is plain: no, when the lines meet more than a unit away; yes,
-// when the edges cross and the crossing lies well within what is rounded to p.
+// Whether p is the rounded intersection of two edges, if estimates can decide it. No, if the lines intersect more than
+// a unit away. Yes, if the edges cross and the crossing is clearly rounded to p.
 std::optional<bool> plainly_rounded(const Point& p, const InputEdge& e, const InputEdge& f) {
   const EstimatedPoint crossing = estimated_crossing(e.from, e.to, f.from, f.to);
   bool within = true;
@@ -63,7 +63,8 @@ std::optional<bool> plainly_rounded(const Point& p, const InputEdge& e, const In
 }  // namespace
 
 bool Sources::is_rounded_intersection(const Point& p) const {
-  // Both edges pass p within a unit in the last place, so only pairs of near edges are tried; the plain ones first.
+  // Both edges pass p within a unit in the last place, so only pairs of near edges are tested; those with clear answers
+  // first.
   const std::vector<std::size_t> close = near_both(p, p);
   std::vector<std::pair<std::size_t, std::size_t>> unknown;
   for (std::size_t i = 0; i < close.size(); ++i) {
@@ -82,7 +83,7 @@ bool Sources::is_rounded_intersection(const Point& p) const {
 
 namespace {
 
-// Whether a coordinate lies further than the bound from both of an edge, on one side; with room to spare for rounding.
+// True if a coordinate is, on one side, further than the bound from both ends of an edge, with a margin for rounding.
 bool certainly_apart(const Estimate& c, double from, double to, double bound) {
   return c.most() < std::min(from, to) - 2 * bound || c.least() > std::max(from, to) + 2 * bound;
 }
@@ -97,7 +98,7 @@ Sources::Answer Sources::estimate_near(const EstimatedPoint& p, const InputEdge&
   const Estimate qx = p.x - Estimate(edge.to.x), qy = p.y - Estimate(edge.to.y);
   const Estimate bound = Estimate(bound_) * Estimate(bound_);
   const Estimate to_from = px * px + py * py, to_to = qx * qx + qy * qy;
-  // An end lies near, so the edge does.
+  // An end is near, so the edge is.
   if (certainly_less(to_from, bound) || certainly_less(to_to, bound)) return Answer::yes;
   const Estimate area = dx * py - dy * px, length = dx * dx + dy * dy;
   const Estimate to_line = area * area, most = bound * length;
@@ -178,14 +179,14 @@ double Sources::displacement_ulps(const Point& p) const {
 
 namespace {
 
-/// Whether the edges have a point in common, and p, an end of e, is not on f.
+/// True if the edges have a point in common, and p, an end of e, is not on f.
 bool meet_beside(const Point& p, const InputEdge& e, const InputEdge& f) {
   if (side_of_line(e.from, e.to, f.from) * side_of_line(e.from, e.to, f.to) > 0) return false;
   if (side_of_line(f.from, f.to, e.from) * side_of_line(f.from, f.to, e.to) > 0) return false;
   return squared_distance(RationalPoint(p), f.from, f.to) != 0;
 }
 
-/// Whether both edges go from p into the same direction, exactly: a fold, of which the shorter edge cancels.
+/// True if both edges leave p in exactly the same direction: a fold, of which the shorter edge cancels.
 bool leave_together(const Point& p, const InputEdge& e, const InputEdge& f) {
   if ((e.from != p && e.to != p) || (f.from != p && f.to != p)) return false;
   const Point &u = e.from == p ? e.to : e.from, &v = f.from == p ? f.to : f.from;

@@ -1,4 +1,4 @@
-// The input edges that a result is made of: exact questions of distance and origin.
+// The input edges of a result, with exact tests of distance and origin.
 #pragma once
 
 #include <oblast/options.h>
@@ -14,7 +14,7 @@ namespace oblast::verify {
 struct InputEdge {
   Point from;
   Point to;
-  std::size_t polygon;  ///< counted through both operands; npos where the fill rule does not see polygons
+  std::size_t polygon;  ///< counted through both operands; npos if the fill rule does not use polygons
 
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
@@ -33,33 +33,33 @@ class Sources {
   bool is_vertex(const Point& p) const;
   bool is_rounded_intersection(const Point& p) const;
 
-  /// Whether p lies within the bound of an edge. Exact; rationals only where an estimate cannot tell.
+  /// True if p is within the bound of an edge. Exact; rationals are used only if an estimate cannot decide.
   bool near(const Point& p, const InputEdge& edge) const;
   bool near(const RationalPoint& p, const InputEdge& edge) const;
 
-  /// Whether the trapezoid's centre lies within the bound of any edge. Exact.
+  /// True if the centre of the trapezoid is within the bound of any edge. Exact.
   bool near_any(const Trapezoid& trapezoid) const;
 
-  /// Edges (by index) within the bound of both points, hence of all between them.
+  /// The indices of the edges within the bound of both points, and therefore of all points between them.
   std::vector<std::size_t> near_both(const Point& p, const Point& q) const;
 
-  /// True when two edges of one polygon meet about p: a polygon whose rings meet is resolved by itself first, and
-  /// its new vertices then are input vertices of the overlay.
+  /// True if two edges of one polygon meet near p. A polygon whose rings meet is resolved first, separately. Its new
+  /// vertices are then input vertices of the overlay.
   bool may_be_resolved(const Point& p) const;
 
-  /// Distance from p to the nearest edge, in units of the last place of the largest coordinate, to about a thousandth
-  /// of one; 0 without edges.
+  /// The distance from p to the nearest edge, in units in the last place of the largest coordinate, exact to about a
+  /// thousandth of a unit; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
-  /// True when every edge at vertex p may have cancelled: a stretch of three times the bound from p on, or the whole
-  /// edge if it is shorter, ends within the bound of another input edge, so rounding may have put both onto one line;
-  /// or the edge meets another one within the bound of p, so the tip beyond it may have become flat; or another edge
-  /// leaves p in the same direction, so the shorter of the two cancels.
+  /// True if every edge at vertex p may have cancelled. There are three cases. A stretch of the edge from p on, three
+  /// times as long as the bound (or the whole edge), ends within the bound of another input edge: rounding may have put
+  /// both onto one line. Or the edge meets another edge within the bound of p: the tip beyond that edge may have become
+  /// flat. Or another edge leaves p in the same direction: the shorter of the two cancels.
   bool may_have_cancelled(const Point& p) const;
 
-  /// True when vertex p may lie on an edge only since traces were taken out of it, which moved it: p is not exactly on
-  /// an input edge along it (pieces of an edge that meets others of its polygon do not count: it is resolved first),
-  /// and other edges meet it.
+  /// True if vertex p may be on an edge only because traces were removed from the edge, which moved it: p is not
+  /// exactly on an input edge along it, and other edges meet it. (Pieces of an edge that meets others of its polygon do
+  /// not count, because that polygon is resolved first.)
   bool may_have_moved_onto(const Point& p, const Point& from, const Point& to) const;
 
  private:

@@ -1,4 +1,4 @@
-// One look at each edge.
+// Tests each edge once.
 #include "verify/surroundings.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What is within the bound of a point.
+// The edges within the bound of a point.
 #pragma once
 
 #include <limits>
@@ -11,13 +11,13 @@ namespace oblast::verify {
 
 struct Surroundings {
   std::vector<UncertainEdge> of_a, of_b;
-  bool near_an_edge = false;   ///< an input edge is within the bound, its side uncertain or not
+  bool near_an_edge = false;   ///< an input edge is within the bound, whether its side is uncertain or not
   bool on_the_result = false;  ///< on an edge of the result
   double distance =
       std::numeric_limits<double>::infinity();  ///< to the nearest input edge within the bound, if asked for
 };
 
-/// REQUIRES: `edges` are all that come within the bound of p, maybe more.
+/// REQUIRES: `edges` has at least all edges within the bound of p.
 Surroundings look_around(const Segments& segments, const Point& p, std::span<const std::uint32_t> edges, double bound,
                          bool with_distance);
 

@@ -1,24 +1,24 @@
 // Planarity and topology by one sweep: Shamos and Hoey 1976, with exact predicates.
 //
-// A line sweeps the plane from left to right, tilted by an infinitesimal angle, so that it passes the
-// vertices in lexicographic order and no edge is parallel to it. The *status* is the list of edges it cuts,
-// from below to above. At each vertex position p the edges that end there leave, those that begin there
-// enter, and every pair that became neighbours is tested. Let q be the smallest point at which two
-// edges meet badly: up to q the status is a true order, the edges that reach q stand together in it, and two
-// of them that meet badly there were neighbours before or become so at q. So no bad meeting is missed.
+// A line sweeps the plane from left to right. It is tilted by an infinitesimal angle, so it passes the vertices in
+// lexicographic order, and no edge is parallel to it. The *status* is the list of edges that it crosses, from bottom to
+// top. At each vertex position p, the edges that end there are removed, those that begin there are inserted, and every
+// pair of new neighbours is tested. Let q be the smallest point at which two edges meet badly (other than at common
+// ends). Up to q, the status is sorted, and the edges that reach q are consecutive in it. Two of them that meet badly
+// at q are neighbours before q or become neighbours at q. So no bad meeting is missed.
 //
-// Between two neighbours of the status lies a piece of one face of the plane. The upper side of the edge
-// below and the lower side of the edge above must name the same owner: a polygon, or nobody. The
-// side of an edge to its left belongs to its polygon, the other side to nobody. If all pieces agree, every
-// point of the plane has one owner: interiors are disjoint and lie on the left of all their edges.
+// Between two neighbours of the status lies a piece of one face of the plane. The upper side of the edge below and the
+// lower side of the edge above must have the same owner: a polygon or none. The left side of an edge belongs to its
+// polygon, the right side to none. If all pieces agree, every point of the plane has one owner: interiors are disjoint,
+// and lie on the left of all their edges.
 //
 //        ---------- above: its lower side  \   must have
 //          piece                            >  the same
 //        ---------- below: its upper side  /   owner
 //
-// Pieces of one face are chained through the edges they share, so joining `below` and `above` of all
-// pieces owned by a polygon (union-find) leaves one set for each face. An edge has a face of its polygon
-// on one side only, so a polygon is connected exactly when all its edges are in one set.
+// Pieces of one face are connected through the edges that they share. So joining `below` and `above` of all pieces of a
+// polygon (union-find) gives one set for each face. An edge has a face of its polygon on one side only. So a polygon is
+// connected if and only if all its edges are in one set.
 #include "verify/sweep.h"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ namespace {
 
 constexpr std::uint32_t nobody = static_cast<std::uint32_t>(-1);
 
-// Edges of the status, from below to above. Edges that meet badly at the newer one's left end
-// compare as equal, so that inserting finds them.
+// The order of the status, from bottom to top. Edges that meet badly at the left end of the newer one compare as equal,
+// so the insertion finds them.
 struct Below {
   const Edges* edges;
 
@@ -92,7 +92,7 @@ class Sweep {
 
   // Moves the line past position p, at which all vertices of [first, last) lie.
   std::optional<Fault> pass(const Point& p, Vertices first, Vertices last) {
-    // Edges that end at p stand together: `above` ends as the one just above them all.
+    // Edges that end at p are consecutive. At the end `above` is the edge directly above them.
     auto above = status_.end();
     bool any_left = false;
     for (auto v = first; v != last; ++v) {
@@ -115,7 +115,8 @@ class Sweep {
     return check_neighbours(p, above);
   }
 
-  // Tests all pairs of neighbours that are new at p: from the edge below the bundle that begins at p to the one above.
+  // Tests all pairs of neighbours that are new at p, from the edge below the edges that begin at p to the edge above
+  // them.
   std::optional<Fault> check_neighbours(const Point& p, Status::iterator above) {
     const auto begins_here = [&](Status::iterator e) { return edges_.left_end(*e) == p; };
     while (above != status_.begin() && begins_here(std::prev(above))) --above;

@@ -1,4 +1,4 @@
-// Steps over edges, forward and back.
+// Moves a walker over edges, forward and back.
 #include "verify/walker.h"
 
 #include <algorithm>

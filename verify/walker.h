@@ -1,4 +1,4 @@
-// A walker who knows where he is, and can go back the way he came.
+// A walker that stores where it is, and can undo its steps.
 #pragma once
 
 #include <span>
@@ -8,19 +8,20 @@
 
 namespace oblast::verify {
 
-/// He starts outside of everything.
+/// Starts outside of everything.
 class Walker {
  public:
   Walker(const Segments& segments, const Membership& outside) : segments_(segments), here_(outside) {}
 
-  /// What is inside where he stands.
+  /// The membership of its position.
   const Membership& here() const { return here_; }
 
-  /// From q' to r' (side_of, verify/segments.h) by way of (r.x, q.y): to the side, then up or down. Returns how many
-  /// steps over edges he had made before. REQUIRES: he stands at q'; `edges` are all that come to the way, maybe more.
+  /// Walks from q' to r' (side_of, verify/segments.h) through (r.x, q.y): sideways, then up or down. Returns the number
+  /// of steps over edges before this walk. REQUIRES: the walker is at q'; `edges` has at least all edges that can meet
+  /// the path.
   std::size_t walk(const Point& q, const Point& r, std::span<const std::uint32_t> edges);
 
-  /// Back the way he came, until he has made so many steps.
+  /// Undoes the last steps, until only this many remain.
   void take_back(std::size_t steps);
 
  private:

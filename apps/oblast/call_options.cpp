@@ -21,21 +21,21 @@ std::size_t parse_bytes(const std::string& word) {
       if (std::string_view(rest, static_cast<std::size_t>(past - rest)) == unit && number * bytes >= 1 &&
           number * bytes < 0x1p63)
         return static_cast<std::size_t>(number * bytes);
-  throw CLI::ValidationError(
-      fmt::format("'{}' is no amount of memory; examples: 4GiB, 500MB, 1.5GiB (units B, KiB, MiB, GiB, TiB, KB, MB, "
-                  "GB, TB)",
-                  word));
+  throw CLI::ValidationError(fmt::format(
+      "'{}' is not an amount of memory; write a number and a unit, such as 4GiB, 500MB or 1.5GiB (units: B, "
+      "KiB, MiB, GiB, TiB, KB, MB, GB, TB)",
+      word));
 }
 
 void add_call_options(CLI::App& command, CallOptions& options) {
   CallOptions* const call = &options;
-  command.add_option("--threads", call->threads, "0 (default): all cores; the result is the same")
+  command.add_option("--threads", call->threads, "number of threads; 0 (default): all cores. The result is the same")
       ->check(CLI::Range(0, CallOptions::most_threads))
       ->type_name("N");
   command
       .add_option_function<std::string>(
           "--memory", [call](const std::string& word) { call->most_bytes = parse_bytes(word); },
-          "end with an error where the work, reading and writing aside, needs more: 4GiB, 500MB")
+          "memory limit of the computation (not of reading and writing), such as 4GiB or 500MB")
       ->type_name("SIZE");
 }
 

@@ -1,4 +1,4 @@
-// `oblast check`: proves that a file is closed (G2), and on request canonical (G3) and the right answer.
+// `oblast check`: proves that a file is closed (G2). Options: whether it is canonical (G3), and the right result.
 #include <fmt/format.h>
 
 #include <memory>
@@ -17,20 +17,20 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-Proved exactly, with rational arithmetic where it is needed: edges meet only at
-common end points; contours do not cross, overlap or repeat; outer contours run
-counter-clockwise and holes clockwise, inside their own outer contour; polygons do
-not overlap. The directions of rings are those of the file; where its format turns
-them (Shapefile), what GDAL reads counts.
+The command proves, with exact arithmetic: edges meet only at common end points.
+Contours do not cross, overlap or repeat. Outer contours run counter-clockwise. Holes
+run clockwise and lie inside their own outer contour. Polygons do not overlap. The
+directions of rings are those in the file. If the format prescribes other directions
+(Shapefile), the directions that GDAL reads count.
 
-With --canonical also the order that oblast writes: each contour from its
-lexicographically smallest vertex, polygons and holes in order.
+--canonical also checks the order that oblast writes: each contour starts at its
+lexicographically smallest vertex, and holes and polygons are sorted.
 
-With --against also whether FILE is what oblast should have made of the operands: many
-points, anywhere and a few units in the last place beside edges, vertices and crossings,
-must be inside the result just where the operation says, decided exactly; so must all
-stretches of many lines. Without --op all operands are united, as by `oblast union`.
-Code of its own does this; it shares none with the overlay.
+--against also checks whether FILE is the right result for the operands. It tests many
+points: some anywhere, some a few units in the last place beside edges, vertices and
+crossings. Each must be inside FILE exactly if the operation says so. It also tests all
+stretches of many lines. The decisions are exact, and the code is independent of the
+overlay. Without --op the operands are united, as by `oblast union`.
 
 Examples
   oblast check burnt.gpkg && echo fit for any GIS
@@ -44,7 +44,7 @@ struct Arguments {
   AgainstArguments against;
 };
 
-// Faults that reading mends would go unseen: they are told from the report.
+// Reading repairs some faults, so the check cannot see them. The report of the reader names them.
 std::string mended(const io::ReadReport& report) {
   if (report.repeated_vertices)
     return counted(report.repeated_vertices, "repeated vertex") + " in the file, dropped on reading";
@@ -103,14 +103,14 @@ void add_check(CLI::App& program, Invocation& invocation) {
   command->add_option("FILE", arguments->file, "a vector file, a folder, or `-` for WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_flag("--canonical", arguments->canonical, "the order must be canonical, too");
+  command->add_flag("--canonical", arguments->canonical, "also check that the order is canonical");
   command
       ->add_option_function<std::string>(
           "--contours", [arguments](const std::string& word) { arguments->convention = parse_contours(word); },
-          "ogc (default) or leonov-nikitin: what contours may touch themselves")
+          "how contours of FILE may touch themselves: ogc (default) or leonov-nikitin")
       ->type_name("CONVENTION");
   add_against_options(*command, arguments->against);
-  command->add_flag("--json", invocation.json, "one object on standard output");
+  command->add_flag("--json", invocation.json, "print the findings as one JSON object on standard output");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

@@ -1,4 +1,4 @@
-// Reads the operands, asks the oracle, and says in words what it saw.
+// Reads the operands, calls the oracle, and reports its findings.
 #include "oblast/check_against.h"
 
 #include <fmt/format.h>
@@ -33,7 +33,8 @@ void check_domain(const io::Layer& layer) {
       Place place;
       place.contour = c;
       place.vertex = v;
-      throw io::IoError(io::describe(layer, place) + ": a coordinate lies outside the domain");
+      throw io::IoError(io::describe(layer, place) +
+                        ": a coordinate is outside the domain: its magnitude must be 0 or between 2^-300 and 2^300");
     }
   }
 }
@@ -44,8 +45,10 @@ io::Layer read_operand(const std::vector<std::string>& paths, const io::Layer& r
   io::Layer layer = io::read(paths, options);
   check_domain(layer);
   if (!io::same_crs(layer.crs_wkt, result.crs_wkt)) {
-    throw io::IoError(fmt::format("two coordinate systems: {} is in {}, the result in {}", layer.files.front(),
-                                  io::crs_name(layer.crs_wkt), io::crs_name(result.crs_wkt)));
+    throw io::IoError(
+        fmt::format("two coordinate systems: {} is in {}, but the result is in {}; transform one of them "
+                    "first",
+                    layer.files.front(), io::crs_name(layer.crs_wkt), io::crs_name(result.crs_wkt)));
   }
   return layer;
 }
@@ -76,9 +79,9 @@ std::string to_text(const Judgement& j, bool overlay) {
                         grouped(count.within_bound), grouped(count.too_near));
   }
   text += fmt::format("  lines: {} stretches between edges, all judged\n", grouped(report.stretches));
-  text += fmt::format("  bound: {:.3g}; largest displacement of a vertex looked at: {:.3g} ({:.2f} ulps)\n",
-                      report.bound, report.largest_displacement, report.largest_displacement_ulps);
-  return text + fmt::format("  area: {}, an exact sum rounded once; edges may have moved it by {:.3g}\n", j.area,
+  text += fmt::format("  bound: {:.3g}; largest displacement of a tested vertex: {:.3g} ({:.2f} ulps)\n", report.bound,
+                      report.largest_displacement, report.largest_displacement_ulps);
+  return text + fmt::format("  area: {}, an exact sum rounded once; moved edges may change it by {:.3g}\n", j.area,
                             j.area_may_move);
 }
 
@@ -112,7 +115,7 @@ nlohmann::ordered_json to_json(const Judgement& j) {
 
 void add_against_options(CLI::App& command, AgainstArguments& arguments) {
   AgainstArguments* const a = &arguments;
-  command.add_option("--against", a->operands, "the operands that FILE is said to be the result of")
+  command.add_option("--against", a->operands, "also check that FILE is the result of these operands")
       ->expected(1, -1)
       ->type_name("IN");
   const auto parsed = [&](const char* option, const char* type, const char* what, auto take) {
@@ -120,20 +123,20 @@ void add_against_options(CLI::App& command, AgainstArguments& arguments) {
   };
   parsed("--op", "OP", "as `oblast overlay`: intersection, union, difference or symdifference of A and B",
          [a](const std::string& word) { a->operation = parse_operation(word); });
-  parsed("--fill", "RULE", "as it was given for the result",
+  parsed("--fill", "RULE", "the fill rule with which FILE was made",
          [a](const std::string& word) { a->fill = parse_fill(word); });
-  parsed("--fill-b", "RULE", "the same for B, where it differs",
+  parsed("--fill-b", "RULE", "the fill rule of B, if it is not that of A",
          [a](const std::string& word) { a->fill_b = parse_fill(word); });
-  command.add_option("--points", a->points, "how many points to judge (200000)")
+  command.add_option("--points", a->points, "number of points to test (200000)")
       ->check(CLI::Range(std::uint64_t{10}, std::uint64_t{1'000'000'000}))
       ->type_name("N")
       ->needs("--against");
-  command.add_option("--lines", a->lines, "how many lines to follow (1000)")
+  command.add_option("--lines", a->lines, "number of lines to test (1000)")
       ->check(CLI::Range(0U, 1'000'000U))
       ->type_name("N")
       ->needs("--against");
-  command.add_option("--seed", a->seed, "other points for another seed (1)")->type_name("N")->needs("--against");
-  command.add_option("--threads", a->threads, "0 (default): all cores; the findings are the same")
+  command.add_option("--seed", a->seed, "seed of the random points and lines (1)")->type_name("N")->needs("--against");
+  command.add_option("--threads", a->threads, "number of threads; 0 (default): all cores. The findings are the same")
       ->check(CLI::Range(0, 1024))
       ->type_name("N")
       ->needs("--against");
@@ -142,11 +145,12 @@ void add_against_options(CLI::App& command, AgainstArguments& arguments) {
 void check_call(const std::string& file, const AgainstArguments& arguments) {
   const std::size_t operands = arguments.operands.size();
   if (arguments.operation && *arguments.operation != Operation::unite && operands != 2) {
-    throw CallError(fmt::format("--op {} takes two operands: --against A B", name(*arguments.operation)));
+    throw CallError(fmt::format("--op {} needs two operands: --against A B; there {} {}", name(*arguments.operation),
+                                operands == 1 ? "is" : "are", operands));
   }
-  if (arguments.fill_b && !is_overlay(arguments)) throw CallError("--fill-b is for two operands and --op");
+  if (arguments.fill_b && !is_overlay(arguments)) throw CallError("--fill-b needs two operands and --op");
   const auto from_standard_input = std::count(arguments.operands.begin(), arguments.operands.end(), "-");
-  if (from_standard_input + (file == "-" ? 1 : 0) > 1) throw CallError("standard input (-) can be read only once");
+  if (from_standard_input + (file == "-" ? 1 : 0) > 1) throw CallError("standard input (-) can be named only once");
 }
 
 AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments) {

@@ -1,4 +1,4 @@
-// `oblast check --against`: the options, and the question whether a file is the right answer.
+// `oblast check --against`: its options, and the check whether a file is the right result.
 #pragma once
 
 #include <oblast/options.h>
@@ -17,7 +17,7 @@ struct AgainstArguments {
   std::vector<std::string> operands;
   std::optional<Operation> operation;
   FillRule fill;
-  std::optional<FillRule> fill_b;  ///< as `fill` where not given
+  std::optional<FillRule> fill_b;  ///< not given: the same as `fill`
   std::uint64_t points = 200'000;
   std::uint32_t lines = 1'000;
   std::uint64_t seed = 1;
@@ -26,17 +26,17 @@ struct AgainstArguments {
 
 void add_against_options(CLI::App& command, AgainstArguments& arguments);
 
-/// Throws CallError where the options contradict each other, or standard input would be read twice.
+/// Throws CallError if the options contradict each other, or if standard input would be read twice.
 void check_call(const std::string& file, const AgainstArguments& arguments);
 
-/// What was found, as words and as an object for --json.
+/// The findings, as text and as an object for --json.
 struct AgainstFindings {
   bool right = true;
   std::string text;
   nlohmann::ordered_json json;
 };
 
-/// Judges `result` (closed) by verify/oracle.h. REQUIRES: check_call. Throws io::IoError.
+/// Checks `result` with verify/oracle.h. REQUIRES: check_call has passed, and the result is closed. Throws io::IoError.
 AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments);
 
 }  // namespace oblast::app

@@ -1,4 +1,4 @@
-// `oblast classic`: one of the classic methods, refused outside its domain.
+// `oblast classic`: runs one of the classic methods; an error outside its domain.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -18,14 +18,15 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-METHOD    admits
-  orourke             convex with convex: one contour each
-  sutherland-hodgman  A any polygon, B one convex contour; intersection only
-  weiler-atherton     contours that meet themselves and each other at vertices only,
-                      the interior on the same side of all; holes allowed
-  margalit-knott      one contour each, edges disjoint, meeting at ends, or coincident
-What a method does not admit is an error that names the vertex and another method.
-Inside its domain each gives the same bytes as `oblast overlay`.
+METHOD                accepts
+  orourke             A and B are one convex contour each
+  sutherland-hodgman  A is any polygon, B is one convex contour; intersection only
+  weiler-atherton     in each operand contours meet at vertices only, and the interior is
+                      on the same side of all of them; holes are allowed
+  margalit-knott      A and B are one contour each, whose edges are disjoint, meet at
+                      their ends, or coincide
+For any other input the error names the contour, the vertex and another method. For input
+that a method accepts, the result has the same bytes as that of `oblast overlay`.
 
 Example
   oblast classic sutherland-hodgman intersection land.gpkg window.wkt -o clip.gpkg)";
@@ -57,13 +58,14 @@ void report(const Arguments& arguments, const RegionSet& result, const ClassicRe
     fmt::print(stderr, "{} {}: {}, {}, area {:.10g}, {} meetings, {:.6f} s{}\n", arguments.word,
                name(arguments.operation), counted(result.contour_ends.size(), "contour"),
                counted(result.points.size(), "vertex"), signed_area(result), grouped(done.meetings), seconds,
-               done.handed_over ? " (edges too near each other for it: settled by the library's noding)" : "");
+               done.handed_over ? " (edges are too close for this method; the noding of `overlay` computed it)" : "");
   }
 }
 
 int run(const Arguments& arguments, bool json) {
-  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be read only once");
-  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be named only once");
+  if (json && arguments.output == "-")
+    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
   const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   io::WriteOptions options;
   options.existing = existing;
@@ -98,7 +100,7 @@ int run(const Arguments& arguments, bool json) {
 
 void add_classic(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("classic", "Overlay by one of the classic methods, in its domain.");
+  CLI::App* command = program.add_subcommand("classic", "Overlay two operands by a classic method.");
   command->footer(footer);
   command
       ->add_option_function<std::string>(
@@ -107,27 +109,27 @@ void add_classic(CLI::App& program, Invocation& invocation) {
             a->method = parse_classic(word);
             a->word = word;
           },
-          "orourke, sutherland-hodgman, weiler-atherton or margalit-knott")
+          "the method: orourke, sutherland-hodgman, weiler-atherton or margalit-knott")
       ->required()
       ->type_name("");
   command
       ->add_option_function<std::string>(
           "OP", [a](const std::string& word) { a->operation = parse_operation(word); },
-          "intersection, union or difference")
+          "the operation: intersection, union or difference")
       ->required()
       ->type_name("");
   command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("B", a->b, "likewise")->required()->type_name("");
-  command->add_option("-o,--output", a->output, "where the result goes; `-`: WKT on standard output")
+  command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
+  command->add_option("-o,--output", a->output, "file for the result; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
   add_call_options(*command, a->options);
-  command->add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
+  command->add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
   command->add_flag("--overwrite", a->overwrite, "replace existing files");
-  command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
-  command->add_flag("-q,--quiet", a->quiet, "no summary");
+  command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command->add_flag("-q,--quiet", a->quiet, "print no summary");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
 }
 

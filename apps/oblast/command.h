@@ -1,4 +1,4 @@
-// How a command joins the program: it adds its options and leaves behind what to run.
+// The interface between a command and the program: a command adds its options and sets the function to run.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,17 +9,17 @@ namespace oblast::app {
 
 /// Exit codes of the program.
 inline constexpr int exit_done = 0;
-inline constexpr int exit_data = 1;  ///< the data is at fault
-inline constexpr int exit_call = 2;  ///< the call is
+inline constexpr int exit_data = 1;  ///< an error in the data
+inline constexpr int exit_call = 2;  ///< an error in the command line
 inline constexpr int exit_interrupted = 130;
 
-/// What main runs once the command line has been read.
+/// What the program runs after it has read the command line.
 struct Invocation {
   std::function<int()> run;  ///< returns an exit code; may throw what program.cpp catches
-  bool json = false;         ///< errors are wanted as an object on standard output, too
+  bool json = false;         ///< print errors as an object on standard output, too
 };
 
-/// The call is at fault: options that contradict each other. Exit code 2.
+/// An error in the command line: options that contradict each other. Exit code 2.
 class CallError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

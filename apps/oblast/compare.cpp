@@ -1,4 +1,4 @@
-// `oblast compare`: every method side by side on one pair of operands.
+// `oblast compare`: runs every method on one pair of operands.
 #include <fmt/format.h>
 
 #include <memory>
@@ -16,10 +16,10 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-The three engines and the four classic methods, with what Skvortsov's Table 1 states of
-each and what is measured here: whether it admits this input or why not, the time of
-the quickest of a few runs, and whether its result has the same bytes as the default
-engine's. Exit code 1 when any admitted method's bytes differ.
+Runs the three engines and the four classic methods. Prints for each what Skvortsov's
+Table 1 states, whether it accepts this input (and if not, why), the shortest time of a
+few runs, and whether its result has the same bytes as that of the default engine. The
+exit code is 1 if the bytes of any method differ.
 
 Example
   oblast compare districts.gpkg window.wkt --op intersection --svg compare.svg)";
@@ -32,7 +32,7 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments, bool json) {
-  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be read only once");
+  if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be named only once");
   const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
   const OperandPair pair = read_pair(arguments.a, arguments.b);
@@ -61,21 +61,21 @@ int run(const Arguments& arguments, bool json) {
 
 void add_compare(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("compare", "Every method side by side on one pair of operands.");
+  CLI::App* command = program.add_subcommand("compare", "Run every method on one pair of operands, and compare.");
   command->footer(footer);
   command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("B", a->b, "likewise")->required()->type_name("");
+  command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
   command
       ->add_option_function<std::string>(
           "--op", [a](const std::string& word) { a->operation = parse_operation(word); },
-          "intersection (default), union, difference or symdifference")
+          "the operation: intersection (default), union, difference or symdifference")
       ->type_name("OP");
   add_call_options(*command, a->options);
-  command->add_option("--svg", a->picture, "draw one panel a method")->type_name("PICTURE.svg");
+  command->add_option("--svg", a->picture, "also draw a picture with one panel per method")->type_name("PICTURE.svg");
   command->add_flag("--overwrite", a->overwrite, "replace an existing picture");
-  command->add_flag("--json", invocation.json, "one object on standard output instead of the table");
+  command->add_flag("--json", invocation.json, "print one JSON object on standard output instead of the table");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
 }
 

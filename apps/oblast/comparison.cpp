@@ -22,7 +22,7 @@ RegionSet run_once(const Method& method, const OperandPair& pair, Operation oper
     Options options;
     static_cast<CallOptions&>(options) = call;
     options.engine = method.engine;
-    options.statistics = &statistics;  // so that the engine itself is measured, not a fast path of `overlay`
+    options.statistics = &statistics;  // excludes the fast paths of `overlay`: the engine itself is measured
     return overlay(pair.a.regions, pair.b.regions, operation, options);
   }
   ClassicReport report;
@@ -59,7 +59,7 @@ std::vector<Row> compare_methods(const OperandPair& pair, Operation operation, c
 
 std::string to_text(const std::vector<Row>& rows) {
   std::string text = fmt::format("{:<25} {:<26} {:>8} {:>6}  {:<28} {:<7} {:>11} {:>9} {:>10} {:>16}  {}\n", "method",
-                                 "admits (Table 1)", "contours", "robust", "worst", "average", "seconds", "contours",
+                                 "accepts (Table 1)", "contours", "robust", "worst", "average", "seconds", "contours",
                                  "vertices", "area", "same bytes");
   for (const Row& row : rows) {
     const Method& m = *row.method;
@@ -70,11 +70,11 @@ std::string to_text(const std::vector<Row>& rows) {
                           row.result.points.size(), signed_area(row.result), row.same_bytes ? "yes" : "NO",
                           row.handed_over ? ", by settled noding" : "");
     else
-      text += "not this input\n";
+      text += "does not accept this input\n";
   }
   text +=
-      "\nseconds, contours, vertices and area are measured here; the columns before them are Skvortsov's Table 1\n"
-      "(*: not in it, our own statement). n1, n2: vertices of A and B, n = n1 + n2 + meetings, k: meetings.\n";
+      "\nseconds, contours, vertices and area are measured. The columns before them are from Skvortsov's Table 1\n"
+      "(*: not in Table 1; our own entry). n1, n2: vertices of A and B; n = n1 + n2 + meetings; k: meetings.\n";
   for (const Row& row : rows)
     if (!row.admitted) text += fmt::format("\n{}", row.why_not);
   if (text.back() != '\n') text += '\n';

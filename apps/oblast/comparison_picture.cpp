@@ -1,4 +1,4 @@
-// The picture of a comparison: a grid of panels, one a method.
+// The picture of a comparison: a grid of panels, one for each method.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::string duration(double seconds) {
   return seconds < 1e-3 ? fmt::format("{:.3g} us", seconds * 1e6) : fmt::format("{:.3g} ms", seconds * 1e3);
 }
 
-/// Words to lines of at most `width` characters.
+/// Breaks a text into lines of at most `width` characters.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
   std::vector<std::string> lines{""};
   for (std::size_t at = 0; at < text.size();) {
@@ -57,7 +57,7 @@ std::string panel(const Row& row, const io::Frame& frame, const std::string& ope
       box.left, box.top, box.width, box.height);
   text += text_at(box.left, box.top - 22, 15, "#1a202c", row.method->title);
   if (!row.admitted) {
-    text += text_at(box.left, box.top - 6, 12, "#c53030", "does not admit this input");
+    text += text_at(box.left, box.top - 6, 12, "#c53030", "does not accept this input");
     double y = box.top + 24;
     for (const std::string& line : wrapped(row.why_not, 44))
       text += text_at(box.left + 12, y, 12, "#555", line), y += 16;

@@ -1,4 +1,4 @@
-// Progress line, numbers for people, peak memory.
+// The progress line, numbers in words, peak memory.
 #include "oblast/console.h"
 
 #include <fmt/format.h>

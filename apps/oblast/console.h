@@ -1,4 +1,4 @@
-// What the program says on standard error while it works.
+// What the program prints on standard error while it works.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,7 @@
 
 namespace oblast::app {
 
-/// One line that is rewritten in place, on a terminal only; elsewhere it is silent. Calls may come
-/// from several threads, one at a time.
+/// A line that is rewritten in place. It prints on a terminal only. Several threads may call it, but one at a time.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted = true);
@@ -32,7 +31,7 @@ std::string grouped(unsigned long long number);
 /// "1 file", "3 files".
 std::string counted(unsigned long long number, const std::string& noun);
 
-/// Largest memory the program held so far, in bytes.
+/// The most memory that the program has held so far, in bytes.
 unsigned long long peak_memory();
 
 }  // namespace oblast::app

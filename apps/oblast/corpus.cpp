@@ -1,4 +1,4 @@
-// `oblast corpus`: runs every cases.jsonl under a folder.
+// `oblast corpus`: runs every case of every cases.jsonl in a folder.
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -22,11 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer = R"(
-A case passes when its result verifies, uniting it again changes no byte, all engines
-give the same bytes, and its area agrees within 1e-9 of the input's area with
-ref.exact_area, else with ref.area, else with expect.area as its source tolerates.
-Cases whose source contradicts the definitions are listed in the --excuse file, one
-`id<TAB>reason` a line; they are run and reported, but do not count as failed.
+A case passes if its result verifies, uniting the result again changes no byte, all
+engines give the same bytes, and the area is right. The expected area is
+ref.exact_area; if that is missing, ref.area (both within 1e-9 of the input's area); if
+both are missing, expect.area, with the tolerance that its source states.
+The --excuse file lists cases whose source contradicts the definitions, one
+`id<TAB>reason` per line. They are run and reported, but do not count as failed.
 
 Example
   oblast corpus corpora --excuse excused.txt --filter clipper2/)";
@@ -52,7 +53,7 @@ std::vector<fs::path> case_files(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().filename() == "cases.jsonl") files.push_back(entry.path());
   }
-  if (files.empty()) throw io::IoError(folder + ": no cases.jsonl in it or below");
+  if (files.empty()) throw io::IoError(folder + ": there is no cases.jsonl in this folder or its subfolders");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -80,13 +81,13 @@ std::map<std::string, std::string> read_excuses(const std::string& path) {
     if (line.empty() || line[0] == '#') continue;
     const auto tab = line.find('\t');
     if (tab == std::string::npos || tab + 1 == line.size())
-      throw io::IoError(fmt::format("{}, line {}: not `id<TAB>reason`", path, number));
+      throw io::IoError(fmt::format("{}, line {}: expected `id<TAB>reason`", path, number));
     excuses[line.substr(0, tab)] = line.substr(tab + 1);
   }
   return excuses;
 }
 
-// Runs what the filter admits; the others are taken out.
+// Runs the cases that match the filter, and removes the others.
 void run_entries(std::vector<Entry>& entries, const std::string& filter, ProgressLine& progress) {
   std::atomic<std::size_t> done = 0;
   std::mutex mutex;
@@ -141,7 +142,7 @@ int report(const std::vector<Entry>& entries, const std::map<std::string, std::s
                                         {"needless_excuses", needless}};
     fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
-    for (const std::string& id : needless) fmt::print("needless excuse: {} passes\n", id);
+    for (const std::string& id : needless) fmt::print("needless excuse: {} passes; remove it from the file\n", id);
     if (excused) fmt::print("{} excused\n", excused);
     fmt::print("{} passed, {} failed\n", passed, failed);
   }
@@ -163,12 +164,14 @@ int run(const Arguments& arguments, bool json) {
 
 void add_corpus(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("corpus", "Run every cases.jsonl under a folder.");
+  CLI::App* command = program.add_subcommand("corpus", "Run the cases of every cases.jsonl in a folder.");
   command->footer(footer);
-  command->add_option("DIR", arguments->folder, "the folder; those below it count")->required()->type_name("");
-  command->add_option("--excuse", arguments->excuses, "cases that need not pass, with reasons")->type_name("FILE");
-  command->add_option("--filter", arguments->filter, "only cases with this in their id")->type_name("TEXT");
-  command->add_flag("--json", invocation.json, "one object on standard output");
+  command->add_option("DIR", arguments->folder, "the folder; its subfolders are searched, too")
+      ->required()
+      ->type_name("");
+  command->add_option("--excuse", arguments->excuses, "a list of cases that may fail, with reasons")->type_name("FILE");
+  command->add_option("--filter", arguments->filter, "run only cases whose id contains this text")->type_name("TEXT");
+  command->add_flag("--json", invocation.json, "print the results as one JSON object on standard output");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

@@ -41,7 +41,7 @@ Operation operation_of(const std::string& word) {
   return word == "xor" ? Operation::symmetric_difference : parse_operation(word);
 }
 
-// The tolerance a source states in the note: "area_tol_frac=0.01" or "source tolerance 0.1%".
+// The tolerance that the note states: "area_tol_frac=0.01" or "source tolerance 0.1%".
 double stated_tolerance(const std::string& note) {
   double tolerance = 1e-9;
   if (const auto at = note.find("area_tol_frac="); at != std::string::npos) {
@@ -63,15 +63,15 @@ void set_expected_area(CorpusCase& corpus_case, const Json& json) {
     return;
   }
   if (!expect.is_object() || !expect.contains("area") || expect["area"].is_null()) {
-    throw std::runtime_error("no area to compare with");
+    throw std::runtime_error("the case has no area to compare with (ref.exact_area, ref.area or expect.area)");
   }
   corpus_case.area = expect["area"].get<double>();
   corpus_case.area_from = "expect.area";
   corpus_case.relative_tolerance = stated_tolerance(json.value("note", std::string()));
 }
 
-// Area by the trapezoids of each contour about its first point, in long double: the sum of many
-// contours far from the origin must not lose what 1e-9 asks for.
+// The area of the triangles between the first point and each edge, in long double. A sum of many contours far from the
+// origin must stay more exact than 1e-9.
 long double contour_area(std::span<const Point> contour) {
   long double sum = 0;
   for (std::size_t k = 1; k + 1 < contour.size(); ++k) {
@@ -99,7 +99,7 @@ long double input_area(const std::vector<io::Layer>& layers) {
   return sum;
 }
 
-// A case that never ends must not keep the others from being reported.
+// A time limit for each case, so that a case that never ends does not stop the run.
 constexpr std::chrono::seconds patience{120};
 
 RegionSet compute(const CorpusCase& corpus_case, const std::vector<io::Layer>& layers, Engine engine) {
@@ -153,17 +153,17 @@ std::optional<std::string> run_case(const CorpusCase& corpus_case) {
     const RegionSet result = compute(corpus_case, layers, Engine::leonov_nikitin);
     if (const auto wrong = wrong_result(result)) return wrong;
     for (const Engine engine : {Engine::vatti, Engine::skvortsov}) {
-      if (compute(corpus_case, layers, engine) != result) return fmt::format("{} gives other bytes", name(engine));
+      if (compute(corpus_case, layers, engine) != result) return fmt::format("{} gives different bytes", name(engine));
     }
     const auto area = static_cast<double>(result_area(result));
     const double allowed = corpus_case.relative_tolerance * static_cast<double>(input_area(layers));
     if (!(std::fabs(area - corpus_case.area) <= allowed)) {
-      return fmt::format("area {:.17g}, but {} is {:.17g}: {:.3g} apart, {:.3g} allowed", area, corpus_case.area_from,
-                         corpus_case.area, std::fabs(area - corpus_case.area), allowed);
+      return fmt::format("area {:.17g}, but {} is {:.17g}: they differ by {:.3g}, and {:.3g} is allowed", area,
+                         corpus_case.area_from, corpus_case.area, std::fabs(area - corpus_case.area), allowed);
     }
     return std::nullopt;
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::cancelled) return fmt::format("not done within {} s", patience.count());
+    if (error.code() == ErrorCode::cancelled) return fmt::format("not finished within {} s", patience.count());
     return std::string("error: ") + error.what();
   } catch (const std::exception& error) {
     return std::string("error: ") + error.what();

@@ -1,4 +1,4 @@
-// One case of a corpus: a line of cases.jsonl, and what must hold for it.
+// One case of a corpus: a line of cases.jsonl, and the conditions it must meet.
 #pragma once
 
 #include <oblast/options.h>
@@ -14,20 +14,19 @@ struct CorpusCase {
   std::string id;
   std::string source;
   Operation operation = Operation::unite;
-  /// Operands as WKT: one (the union of itself), two, or more to be folded from the left.
+  /// Operands as WKT: one (its union is computed), two, or more, which are combined from left to right.
   std::vector<std::string> operands;
   FillRule fill;
-  double area = 0;                ///< what the result's area must be
+  double area = 0;                ///< the expected area of the result
   std::string area_from;          ///< "ref.exact_area", "ref.area" or "expect.area"
-  double relative_tolerance = 0;  ///< of the input's area
+  double relative_tolerance = 0;  ///< relative to the area of the input
 };
 
-/// From one line of cases.jsonl. Throws std::runtime_error that says what is wrong with the line.
+/// Reads one line of cases.jsonl. Throws a std::exception whose message says what is wrong with the line.
 CorpusCase parse_case(const std::string& line);
 
-/// Computes the case by every engine and returns the first thing that does not hold:
-/// the result verifies (G2, G3), uniting it changes no byte, the engines agree to the byte, the area
-/// agrees. Nothing when all of it holds.
+/// Computes the case by every engine and checks that the result verifies (G2, G3), that uniting it changes no byte,
+/// that the engines give the same bytes, and that the area is right. Returns the first failure, or nothing.
 std::optional<std::string> run_case(const CorpusCase& corpus_case);
 
 }  // namespace oblast::app

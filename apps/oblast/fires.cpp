@@ -1,10 +1,10 @@
-// The simulation behind `generate fires`: passes with their lattices, and what burns below them.
+// The simulation of `generate fires`: satellite passes with their lattices, and the fires that they see.
 //
-// A month is a budget of contours and vertices (Table 1), spent in this order: gas flares (points
-// seen by many passes), long fires (discs that drift and are seen tens of times), patches (seen one
-// to three times, their pixels side by side merged into L and staircase shapes), small fires (a
-// pixel, seen one to three times) up to the exact number of contours. Vertices come out exactly because merging stops
-// at its budget, and what is left of it is given as pixel corners kept on straight sides of merged contours.
+// A month has a budget of contours and vertices (Table 1). It is spent in this order: gas flares (points that many
+// passes see), long fires (discs that drift and are seen tens of times), patches (seen one to three times; adjacent
+// pixels are merged into L and staircase shapes), and small fires (one pixel, seen one to three times) up to the exact
+// number of contours. The number of vertices is exact, too: merging stops when its budget is spent, and the rest of the
+// budget is spent on pixel corners that are kept on straight sides of merged contours.
 #include "oblast/fires.h"
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct Pass {
 
 double clamp(double value, double low, double high) { return std::min(std::max(value, low), high); }
 
-// A bell without libm: the sum of three uniform numbers, within +-1.5.
-// Drawn in statements, here and below: compilers differ in the order of operands.
+// A bell curve without libm: the sum of three uniform numbers, within +-1.5.
+// Each number is drawn in a statement, here and below, because compilers choose the order of operands.
 double bell(Random& random) {
   double sum = random.uniform();
   sum += random.uniform();
@@ -41,7 +41,7 @@ double bell(Random& random) {
 
 bool in_russia(Point p) { return p.x > west + 1 && p.x < east - 1 && p.y > south + 0.5 && p.y < north - 0.5; }
 
-// Where fires gather is the same in all months: villages, roads and forest of one country.
+// The regions where fires are frequent are the same in all months: villages, roads and forests.
 Point fire_place(std::uint64_t seed, Random& random) {
   while (true) {
     if (random.chance(scattered_share))
@@ -107,7 +107,7 @@ class Month {
 
   bool visible(const Pass& pass, Point place) const { return std::fabs(pass.centre - place.x) < swath_half_width; }
 
-  // A random pass that sees the place; the nearest one when luck fails (few passes at a small scale).
+  // A random pass that sees the place; the nearest one if 50 attempts find none (few passes at a small scale).
   Pass& some_pass(Point place) {
     for (int attempt = 0; attempt < 50; ++attempt) {
       Pass& pass = passes_[random_.below(static_cast<std::uint32_t>(passes_.size()))];
@@ -125,7 +125,7 @@ class Month {
     ++used_;
   }
 
-  // Some of the pixels of a disc, by a hash of each; the one at the centre when none is found.
+  // Some pixels of a disc, chosen by a hash of each pixel; the pixel at the centre if none is chosen.
   std::vector<Cell> burning(const Pass& pass, Point centre, double radius_km, double density, std::uint64_t key) const {
     std::vector<Cell> cells = pass.lattice.disc(centre, radius_km);
     std::erase_if(cells, [&](Cell c) {
@@ -141,7 +141,7 @@ class Month {
     return fate < plan_.seen_thrice ? 3 : fate < plan_.seen_thrice + plan_.seen_twice ? 2 : 1;
   }
 
-  // One pass sees these pixels of one fire: one contour each, or merged where they hang together.
+  // One pass sees these pixels of a fire. Each becomes a contour, or connected pixels are merged into one.
   void detect(Pass& pass, const std::vector<Cell>& cells, double merged) {
     for (const std::vector<Cell>& component : components(cells)) {
       if (left() <= 0) return;
@@ -164,7 +164,7 @@ class Month {
     }
   }
 
-  // Flares are points: one pixel, now and then two. Geolocation is off by a few hundred metres.
+  // A flare is a point: one pixel, sometimes two. The geolocation has an error of a few hundred metres.
   void burn_flares() {
     for (int flare = 0; flare < flare_count; ++flare) {
       const Point place = flare_place(seed_, flare);
@@ -179,7 +179,7 @@ class Month {
     }
   }
 
-  // A disc that drifts and grows; each view finds a part of its pixels.
+  // A disc that drifts and grows. Each view detects some of its pixels.
   void burn_long_fire(int fire) {
     const Point start = fire_place(seed_, random_);
     const double size = random_.uniform();
@@ -197,12 +197,12 @@ class Month {
   }
 
   void burn_long_fires() {
-    // At least one contour a pass is kept for the small fires: no file is empty.
+    // At least one contour per pass is reserved for the small fires, so no file is empty.
     const int until = std::min(contours_ - files_, static_cast<int>(plan_.long_share * contours_));
     for (int fire = 0; used_ < until; ++fire) burn_long_fire(fire);
   }
 
-  // Until the vertices are nearly spent (straight corners take the rest), or the contours but for one a pass.
+  // Until most vertices are spent (straight corners take the rest), or all contours but one per pass.
   void burn_patches() {
     while (excess_ > 100 && used_ < contours_ - files_) {
       const Point place = fire_place(seed_, random_);
@@ -216,7 +216,7 @@ class Month {
     }
   }
 
-  // What is left of the vertices: pixel corners kept on straight sides.
+  // Spends the remaining vertices: pixel corners that are kept on straight sides.
   void spend_straight_corners() {
     for (Pass& pass : passes_) {
       for (std::vector<OutlineVertex>& contour : pass.outlines) {
@@ -270,9 +270,9 @@ class Month {
   std::uint64_t seed_, month_seed_;
   Random random_;
   int files_;
-  int contours_;  // to make
-  int used_ = 0;  // made
-  int excess_;    // vertices beyond four a contour, still to spend
+  int contours_;  // contours to make
+  int used_ = 0;  // contours made
+  int excess_;    // vertices beyond four per contour that are still to be spent
   std::vector<Pass> passes_;
 };
 

@@ -1,4 +1,4 @@
-// Pixels of a pass: lookup, connected components, outlines.
+// The pixels of a pass: lookup, connected components, outlines.
 #include "oblast/fires_lattice.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace oblast::app {
 
 namespace {
 
-// A component in a frame of bits one pixel wider on every side: cells (left .. right, bottom .. top).
+// A component as a bitmap that is one pixel wider on every side than its bounding box.
 class Frame {
  public:
   explicit Frame(const std::vector<Cell>& cells) {
@@ -26,7 +26,7 @@ class Frame {
 
   bool inside(Cell c) const { return inside_[index(c)] != 0; }
 
-  // Whatever the outside does not reach by sides becomes inside.
+  // Cells that the outside does not reach through sides become inside.
   void fill_gaps() {
     std::vector<std::uint8_t> outside(inside_.size(), 0);
     std::vector<std::size_t> pending{0};
@@ -72,7 +72,7 @@ class Frame {
 
 Lattice::Lattice(Point origin, double slope, double width_km, double height_km)
     : origin_(origin),
-      cosine_((1 - slope * slope) / (1 + slope * slope)),  // no sin, no cos: they differ between machines
+      cosine_((1 - slope * slope) / (1 + slope * slope)),  // sin and cos differ between machines
       sine_(2 * slope / (1 + slope * slope)),
       width_(width_km),
       height_(height_km),
@@ -138,11 +138,11 @@ std::vector<std::vector<Cell>> components(const std::vector<Cell>& cells) {
 
 std::vector<OutlineVertex> outline(const std::vector<Cell>& component) {
   const Frame frame(component);
-  // Start below the first pixel (smallest column, then row) and walk with the component on the left.
-  // Headings: 0 east, 1 north, 2 west, 3 south; the walk stands at a corner.
+  // The walk starts below the first pixel (smallest column, then row) and keeps the component on its left.
+  // It is always at a corner. Headings: 0 east, 1 north, 2 west, 3 south.
   const Cell start = *std::min_element(component.begin(), component.end());
   static constexpr Cell step[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  // The pixel ahead on the left and on the right of a corner, for each heading.
+  // For each heading: the pixel ahead on the left, and the pixel ahead on the right, of the corner.
   static constexpr Cell left[4] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}};
   static constexpr Cell right[4] = {{0, -1}, {0, 0}, {-1, 0}, {-1, -1}};
   std::vector<OutlineVertex> result;

@@ -1,18 +1,19 @@
-// Random numbers of the fires generator: the same on every machine, unlike the std distributions.
+// The random numbers of the fires generator. Unlike the std distributions, they are the same on every machine.
 #pragma once
 
 #include <cstdint>
 
 namespace oblast::app {
 
-/// The finalizer of SplitMix64 (Steele, Lea, Flood 2014): a bijection that scatters every bit.
+/// The finalizer of SplitMix64 (Steele, Lea, Flood 2014): a bijection in which every input bit affects every output
+/// bit.
 constexpr std::uint64_t scatter(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
   return z ^ (z >> 31);
 }
 
-/// A hash of a key and one more number; chain it for several.
+/// A hash of a key and a number. For several numbers, use the hash as the next key.
 constexpr std::uint64_t mix(std::uint64_t key, std::uint64_t number) {
   return scatter(key + 0x9e3779b97f4a7c15ULL * (number + 1));
 }
@@ -20,7 +21,7 @@ constexpr std::uint64_t mix(std::uint64_t key, std::uint64_t number) {
 /// The upper 53 bits as a double in [0, 1).
 constexpr double unit_interval(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-/// SplitMix64 as a stream.
+/// A stream of SplitMix64 numbers.
 class Random {
  public:
   explicit constexpr Random(std::uint64_t seed) : state_(seed) {}
@@ -28,7 +29,7 @@ class Random {
   constexpr std::uint64_t next() { return scatter(state_ += 0x9e3779b97f4a7c15ULL); }
   constexpr double uniform() { return unit_interval(next()); }
   constexpr double uniform(double from, double to) { return from + (to - from) * uniform(); }
-  /// 0 .. bound - 1; bound >= 1. The bias, below bound / 2^32, does not matter here.
+  /// 0 to bound - 1. REQUIRES: bound >= 1. The bias is below bound / 2^32, which does not matter here.
   constexpr std::uint32_t below(std::uint32_t bound) {
     return static_cast<std::uint32_t>(((next() >> 32) * bound) >> 32);
   }

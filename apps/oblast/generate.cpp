@@ -1,10 +1,10 @@
-// `oblast generate`: data to measure on.
+// `oblast generate`: generates data for measurements.
 #include "oblast/generate.h"
 
 namespace oblast::app {
 
 void add_generate(CLI::App& program, Invocation& invocation) {
-  CLI::App* generate = program.add_subcommand("generate", "Make data to measure on.");
+  CLI::App* generate = program.add_subcommand("generate", "Generate data for measurements.");
   generate->require_subcommand(1);
   add_generate_fires(*generate, invocation);
   add_generate_star(*generate, invocation);

@@ -1,4 +1,4 @@
-// What `oblast generate` can make.
+// The commands of `oblast generate`.
 #pragma once
 
 #include "oblast/command.h"

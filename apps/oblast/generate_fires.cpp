@@ -26,10 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* footer = R"(
-Models the data of the 2013 paper: one shapefile a satellite pass, contours of the
-pixels in which a fire was detected (mostly quadrilaterals), longitude and latitude.
-All months: 3,906 files, 190,915 contours, 1,134,325 vertices. The same seed gives
-the same coordinates everywhere; a month is the same alone or with others.
+Models the data of the 2013 paper: one shapefile per satellite pass, with contours of
+the pixels in which a fire was detected (mostly quadrilaterals), in longitude and
+latitude. All months are 3,906 files, 190,915 contours, 1,134,325 vertices. The same seed
+gives the same coordinates on every machine. A month does not depend on other months.
 
 Example: April, 470 files
   oblast generate fires --month april -o fires)";
@@ -53,23 +53,25 @@ int parse_month(std::string word) {
     if (word == names[month.month - 1] || word == std::to_string(month.month)) return month.month;
   }
   throw CLI::ValidationError(
-      fmt::format("'{}' is none of the paper's months: april, may, june, july, september, october", word));
+      fmt::format("'{}' is not a month of the paper; choose from april, may, june, july, september, october", word));
 }
 
 bool is_generated(const fs::path& file) { return file.filename().string().rfind("fires-2011-", 0) == 0; }
 
-// The folder may exist when it is empty, or when the generated files in it may be replaced.
+// The folder may exist if it is empty, or if its generated files may be replaced.
 void check_folder(const Arguments& arguments) {
   std::error_code error;
   const fs::path folder = arguments.folder;
   if (!fs::exists(folder, error)) return;
-  if (!fs::is_directory(folder, error)) throw io::IoError(arguments.folder + ": exists and is no folder");
+  if (!fs::is_directory(folder, error))
+    throw io::IoError(arguments.folder + " exists and is not a folder; choose another name");
   if (!fs::is_empty(folder, error) && !arguments.overwrite) {
-    throw io::IoError(arguments.folder + ": the folder is not empty (--overwrite replaces the generated files in it)");
+    throw io::IoError("the folder " + arguments.folder +
+                      " is not empty (--overwrite replaces the generated files in it)");
   }
 }
 
-// Files are made in a folder of their own and moved at the end; it goes when the work is stopped.
+// Files are written to a temporary folder and moved at the end. If the work stops early, the folder is removed.
 class Stage {
  public:
   explicit Stage(const fs::path& target) : target_(target) {
@@ -80,7 +82,7 @@ class Stage {
   ~Stage() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
-    fs::remove(target_, ignored);  // only when nothing is in it
+    fs::remove(target_, ignored);  // removes it only if it is empty
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -147,9 +149,9 @@ void add_generate_fires(CLI::App& generate, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = generate.add_subcommand("fires", "Satellite fire detections as a folder of shapefiles.");
   command->footer(footer);
-  command->add_option("-o,--output", arguments->folder, "the folder to make")->required()->type_name("DIR");
-  command->add_option("--seed", arguments->options.seed, "another seed, other fires (1)")->type_name("N");
-  command->add_option("--scale", arguments->options.scale, "of files, contours and vertices (1)")
+  command->add_option("-o,--output", arguments->folder, "the folder to write")->required()->type_name("DIR");
+  command->add_option("--seed", arguments->options.seed, "seed of the random fires (1)")->type_name("N");
+  command->add_option("--scale", arguments->options.scale, "factor for the numbers of files, contours and vertices (1)")
       ->check(CLI::Range(1e-4, 100.0))
       ->type_name("X");
   command
@@ -158,12 +160,12 @@ void add_generate_fires(CLI::App& generate, Invocation& invocation) {
           [arguments](const std::vector<std::string>& words) {
             for (const std::string& word : words) arguments->options.months.push_back(parse_month(word));
           },
-          "april to july, september, october, or 4 to 7, 9, 10 (all six)")
+          "only these months: april to july, september, october, or 4 to 7, 9, 10 (all six)")
       ->delimiter(',')
       ->type_name("MONTH,...");
-  command->add_flag("--overwrite", arguments->overwrite, "replace generated files in the folder");
-  command->add_flag("--json", invocation.json, "one object on standard output");
-  command->add_flag("-q,--quiet", arguments->quiet, "no progress, no summary");
+  command->add_flag("--overwrite", arguments->overwrite, "replace the generated files in the folder");
+  command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command->add_flag("-q,--quiet", arguments->quiet, "print no progress and no summary");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

@@ -1,4 +1,4 @@
-// `oblast generate star`: one large wiggly polygon; two of them, turned against each other, cross seldom.
+// `oblast generate star`: one large wavy polygon. Two of them, with different turns, cross in few points.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,10 +16,10 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-A star-shaped polygon around the origin, some 1000 units large, with five large waves,
-fifty small ones and a wiggle at every vertex.
+A star-shaped polygon around the origin. Its radius is about 1000 units, with five large
+waves, fifty small waves and a random deviation at every vertex.
 
-Example: two polygons of a million vertices each, and what they have in common
+Example: two polygons of a million vertices each, and their intersection
   oblast generate star -n 1000000 -o a.gpkg
   oblast generate star -n 1000000 --turn 0.3 --seed 2 -o b.gpkg
   oblast overlay intersection a.gpkg b.gpkg -o both.gpkg)";
@@ -32,7 +32,7 @@ struct Arguments {
   bool overwrite = false, quiet = false;
 };
 
-/// Simple, because angles increase.
+/// The polygon is simple because its angles increase.
 RegionSet star(const Arguments& arguments) {
   std::mt19937_64 random(arguments.seed);
   const double step = 2 * std::numbers::pi / arguments.vertices;
@@ -62,18 +62,18 @@ int run(const Arguments& arguments) {
 
 void add_generate_star(CLI::App& generate, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
-  CLI::App* command = generate.add_subcommand("star", "One large wiggly polygon.");
+  CLI::App* command = generate.add_subcommand("star", "One large wavy polygon.");
   command->footer(footer);
-  command->add_option("-o,--output", a->output, "a vector file; `-`: WKT on standard output")
+  command->add_option("-o,--output", a->output, "file for the polygon; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
-  command->add_option("-n,--vertices", a->vertices, "3 to 100 million (1000000)")
+  command->add_option("-n,--vertices", a->vertices, "number of vertices, 3 to 100 million (1000000)")
       ->check(CLI::Range(3U, 100000000U))
       ->type_name("N");
-  command->add_option("--turn", a->turn, "turns the waves, in radians (0)")->type_name("X");
-  command->add_option("--seed", a->seed, "of the wiggles (1)")->type_name("N");
+  command->add_option("--turn", a->turn, "angle in radians by which the waves are turned (0)")->type_name("X");
+  command->add_option("--seed", a->seed, "seed of the random deviations (1)")->type_name("N");
   command->add_flag("--overwrite", a->overwrite, "replace an existing file");
-  command->add_flag("-q,--quiet", a->quiet, "no summary");
+  command->add_flag("-q,--quiet", a->quiet, "print no summary");
   command->callback([a, &invocation] { invocation.run = [a] { return run(*a); }; });
 }
 

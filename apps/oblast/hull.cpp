@@ -1,4 +1,4 @@
-// `oblast hull`: the convex hull of everything in a file or folder.
+// `oblast hull`: the convex hull of all contours in files or folders.
 #include <fmt/format.h>
 #include <oblast/hull.h>
 
@@ -16,8 +16,9 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-The hull of each contour by Lee's scan, in time linear in its vertices, then the hull
-of the hulls. Its corners are vertices of the input, bit for bit.
+Lee's scan computes the hull of each contour, in linear time if the contour is simple.
+Then the hull of these hulls is computed. Its corners are vertices of the input, bit for
+bit.
 
 Example
   oblast hull burnt.gpkg -o hull.gpkg)";
@@ -30,7 +31,8 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments, bool json) {
-  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  if (json && arguments.output == "-")
+    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
   io::WriteOptions options;
   options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   io::check_writable(arguments.output, options);
@@ -67,13 +69,13 @@ void add_hull(CLI::App& program, Invocation& invocation) {
   command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("-o,--output", a->output, "where the hull goes; `-`: WKT on standard output")
+  command->add_option("-o,--output", a->output, "file for the hull; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
   add_call_options(*command, a->options);
   command->add_flag("--overwrite", a->overwrite, "replace an existing file");
-  command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
-  command->add_flag("-q,--quiet", a->quiet, "no summary");
+  command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command->add_flag("-q,--quiet", a->quiet, "print no summary");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
 }
 

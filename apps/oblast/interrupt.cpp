@@ -1,4 +1,4 @@
-// The signal handler. It may use only what is safe in one: lock-free atomics, write, _exit and
+// The signal handler. It uses only functions that are safe in a signal handler: lock-free atomics, write, _exit and
 // io::discard_unfinished.
 #include "oblast/interrupt.h"
 
@@ -25,7 +25,7 @@ extern "C" void oblast_on_signal(int) {
     return;
   }
   io::discard_unfinished();
-  constexpr char message[] = "\noblast: interrupted; unfinished output removed\n";
+  constexpr char message[] = "\noblast: interrupted; unfinished output was removed\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message, sizeof message - 1);
   ::_exit(exit_interrupted);
 }
@@ -40,9 +40,9 @@ void install_interrupt_handler() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction old = {};
     sigaction(signal, nullptr, &old);
-    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays nohup
+    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // a signal that nohup ignores stays ignored
   }
-  // A file at its size limit is an error of writing like a full disk, not the end of the program.
+  // A file at its size limit is then a write error, like a full disk, and does not end the program.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 

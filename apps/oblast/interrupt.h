@@ -1,31 +1,32 @@
-// Ctrl-C and its kin: the old output stays, temporary files go, the exit code is 130.
+// Ctrl-C and other signals that end the program: old output stays, temporary files are removed, the exit code is 130.
 //
-// While an overlay runs, the first signal only raises a flag, which the overlay asks for (it then ends
-// by Error(cancelled)). At any other time, and for a second signal, the handler removes what is half
-// written and ends the program at once; but not while finished files are renamed, when it is too late.
+// While an overlay runs, the first signal only sets a flag. The overlay tests the flag and ends with Error(cancelled).
+// At any other time, and at a second signal, the handler removes unfinished files and ends the program at once. The
+// exception is the time in which finished files are renamed: then a signal only sets the flag.
 #pragma once
 
 #include <exception>
 
 namespace oblast::app {
 
-/// The user asked to stop.
+/// The user stopped the program.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// Handles SIGINT, SIGTERM and SIGHUP from now on.
+/// Installs the handler for SIGINT, SIGTERM and SIGHUP.
 void install_interrupt_handler();
 
-/// True once a signal came while an InterruptFlag lived.
+/// True after a signal that set the flag.
 bool interrupted();
 
-/// While it lives, a first signal raises the flag instead of ending the program.
+/// While an object of this class exists, a first signal sets the flag and does not end the program.
 class InterruptFlag {
  public:
   InterruptFlag();
   ~InterruptFlag();
-  /// The work is done: from now on a signal ends the program. Throws Interrupted where one came before.
+  /// Call this when the work is done: from now on a signal ends the program. Throws Interrupted if a signal came
+  /// before.
   void end();
   InterruptFlag(const InterruptFlag&) = delete;
   InterruptFlag& operator=(const InterruptFlag&) = delete;

@@ -1,4 +1,4 @@
-// A job from input files to the summary. Whatever can be refused is refused before the work.
+// A job from input files to the summary. Errors that can be found early are reported before the computation.
 #include "oblast/job.h"
 
 #include <fmt/format.h>
@@ -40,18 +40,12 @@ void check_call(const Job& job, const JobArguments& arguments, bool json) {
   for (const auto& paths : job.operands) {
     for (const std::string& path : paths) from_standard_input += path == "-";
   }
-  if (from_standard_input > 1) throw CallError("standard input (-) can be read only once");
-  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  if (from_standard_input > 1) throw CallError("standard input (-) can be named only once");
+  if (json && arguments.output == "-")
+    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
   if (!arguments.picture.empty() && arguments.picture == arguments.output) {
-    throw CallError("--svg and -o name the same file");
+    throw CallError("--svg and -o name the same file; give them different names");
   }
-}
-
-// The library refuses too, but cannot name the option.
-void refuse_existing(const std::string& path) {
-  std::error_code error;
-  if (path.empty() || path == "-" || !std::filesystem::exists(path, error)) return;
-  throw io::IoError(path + " exists already (--overwrite replaces it)");
 }
 
 std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, ProgressLine& progress) {
@@ -128,38 +122,38 @@ void draw(const Job& job, const JobArguments& arguments, const std::vector<io::L
 
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
   JobArguments* const a = &arguments;
-  command.add_option("-o,--output", a->output, "where the result goes; `-`: WKT on standard output")
+  command.add_option("-o,--output", a->output, "file for the result; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
   const std::string rules = "polygons (default), atleast:K, evenodd, nonzero, positive or negative";
   command
       .add_option_function<std::string>(
-          "--fill", [a](const std::string& word) { a->fill = parse_fill(word); }, "what is inside: " + rules)
+          "--fill", [a](const std::string& word) { a->fill = parse_fill(word); }, "the fill rule: " + rules)
       ->type_name("RULE");
   if (operands == Operands::two) {
     command
         .add_option_function<std::string>(
             "--fill-b", [a](const std::string& word) { a->fill_b = parse_fill(word); },
-            "the same for B, where it differs")
+            "the fill rule of B, if it is not that of A")
         ->type_name("RULE");
   }
   command
       .add_option_function<std::string>(
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
-          "leonov-nikitin (default), vatti or skvortsov: same bytes")
+          "leonov-nikitin (default), vatti or skvortsov; all give the same bytes")
       ->type_name("ENGINE");
   command
       .add_option_function<std::string>(
           "--contours", [a](const std::string& word) { a->options.contours = parse_contours(word); },
-          "ogc (default) or leonov-nikitin: contours that touch themselves")
+          "how to write contours that touch themselves: ogc (default) or leonov-nikitin")
       ->type_name("CONVENTION");
-  command.add_flag("--minimal", a->minimal, "leave out vertices exactly on a line between their neighbours");
+  command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
   add_call_options(command, a->options);
-  command.add_option("--svg", a->picture, "draw operands and result")->type_name("PICTURE.svg");
+  command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
   command.add_flag("--overwrite", a->overwrite, "replace existing files");
-  command.add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");
-  command.add_flag("--json", invocation.json, "one object on standard output instead of the summary");
-  command.add_flag("-q,--quiet", a->quiet, "no progress, no summary");
+  command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
+  command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
 }
 
 int run_job(const Job& job, const JobArguments& arguments, bool json) {
@@ -167,10 +161,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   check_call(job, arguments, json);
   io::WriteOptions write_options;
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  if (!arguments.overwrite) {
-    refuse_existing(arguments.output);
-    refuse_existing(arguments.picture);
-  }
+
   io::check_writable(arguments.output, write_options);
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, write_options.existing);
 
@@ -195,7 +186,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   summary.seconds_write = writing.seconds();
 
   if (!arguments.picture.empty()) {
-    if (interrupted()) throw Interrupted();  // while the result took its place
+    if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
     progress.show("drawing", 0);
     const Stopwatch drawing;
     draw(job, arguments, layers, result);

@@ -1,4 +1,4 @@
-// What `union` and `overlay` share: their options, and the way from input files to the summary.
+// The common part of `union` and `overlay`: their options, and the work from input files to the summary.
 #pragma once
 
 #include <oblast/options.h>
@@ -21,15 +21,15 @@ struct JobArguments {
   bool quiet = false;
   bool minimal = false;
   FillRule fill;
-  std::optional<FillRule> fill_b;  ///< as `fill` where not given
+  std::optional<FillRule> fill_b;  ///< not given: the same as `fill`
   Options options;                 ///< engine, contours, threads
 };
 
-/// Adds the common options to a command. `--fill-b` only where there is a second operand.
+/// Adds the common options to a command. Only a command with two operands gets `--fill-b`.
 enum class Operands { one, two };
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands);
 
-/// One job: what to read, what to compute.
+/// The inputs and the operation of a job.
 struct Job {
   std::string command;                             ///< "union" or "overlay difference", for the summary
   std::vector<std::vector<std::string>> operands;  ///< one or two lists of paths

@@ -1,5 +1,5 @@
-// `oblast layers`: the 2013 paper's Tables 1 and 3 for groups of files: what goes in, how many layers of disjoint
-// contours that is, and what the union gives.
+// `oblast layers`: Tables 1 and 3 of the 2013 paper for groups of files: the size of the input, the number of layers of
+// disjoint contours, and the size of the union.
 #include <fmt/format.h>
 #include <oblast/layers.h>
 #include <oblast/oblast.h>
@@ -21,9 +21,9 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-Contours of which no two overlap make a layer; each contour, in the order of the
-files, joins the first layer that takes it. Each IN is a group; with --prefix N
-files whose names begin with the same N characters are one.
+A layer is a set of contours of which no two overlap. Each contour, in the order of the
+files, goes into the first layer in which nothing overlaps it. Each IN is a group. With
+--prefix N, files whose names begin with the same N characters are a group.
 
 Example: the months of `oblast generate fires -o fires` (fires-2011-04-..., ...)
   oblast layers fires --prefix 13)";
@@ -48,7 +48,7 @@ struct Row {
   double layers_seconds, union_seconds;
 };
 
-/// Adds polygons `begin` to `end`.
+/// Appends the polygons [begin, end).
 void append(RegionSet& to, const RegionView& from, std::size_t begin, std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) {
     for (std::uint32_t c = from.polygon_begin(p); c < from.polygon_end(p); ++c) {
@@ -60,7 +60,7 @@ void append(RegionSet& to, const RegionView& from, std::size_t begin, std::size_
   }
 }
 
-/// By the beginning of file names, in their order.
+/// Groups the files by the first `length` characters of their names, sorted by these.
 std::map<std::string, Group> groups_by_prefix(const io::Layer& layer, std::size_t length) {
   std::map<std::string, Group> groups;
   std::vector<Group*> group_of_file;
@@ -154,23 +154,24 @@ void add_layers(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
   a->options.engine = Engine::vatti;  // the paper's
   CLI::App* command =
-      program.add_subcommand("layers", "Layers of disjoint contours, and the union, by group of files.");
+      program.add_subcommand("layers", "Count layers of disjoint contours, and unite, by groups of files.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, "vector files, folders of them, `-` for WKT on standard input")
+  command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("--prefix", a->prefix, "group files by so many first characters of their names")
+  command->add_option("--prefix", a->prefix, "group the files by the first N characters of their names")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   command->add_flag_callback(
-      "--boxes", [a] { a->rule = LayerRule::boxes; }, "keep apart whose boxes overlap, as the paper does: more layers");
+      "--boxes", [a] { a->rule = LayerRule::boxes; },
+      "separate contours whose boxes overlap, as in the paper; this makes more layers");
   command
       ->add_option_function<std::string>(
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
-          "of the union: vatti (default, the paper's), leonov-nikitin or skvortsov")
+          "the engine of the union: vatti (default, as in the paper), leonov-nikitin or skvortsov")
       ->type_name("ENGINE");
   add_call_options(*command, a->options);
-  command->add_flag("--json", invocation.json, "one object on standard output instead of the table");
+  command->add_flag("--json", invocation.json, "print one JSON object on standard output instead of the table");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });
 }
 

@@ -34,7 +34,7 @@ ClassicMethod parse_classic(const std::string& word) {
     if (word == method.word) return *method.classic;
     known += (known.empty() ? "" : ", ") + std::string(method.word);
   }
-  throw CLI::ValidationError(fmt::format("'{}' is no classic method; there are: {}", word, known));
+  throw CLI::ValidationError(fmt::format("'{}' is not a classic method; choose from {}", word, known));
 }
 
 OperandPair read_pair(const std::string& a, const std::string& b) {

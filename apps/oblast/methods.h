@@ -1,4 +1,4 @@
-// The methods `classic` and `compare` know: their words, and what Skvortsov's Table 1 states of them.
+// The methods of `classic` and `compare`: their words, and their entries in Skvortsov's Table 1.
 #pragma once
 
 #include <oblast/classics.h>
@@ -21,16 +21,16 @@ struct Method {
   const char* contours;  ///< Table 1: several contours, "+" or "-"
   const char* robust;    ///< Table 1: "+" or "-"
   const char* worst;     ///< cost in the worst case
-  const char* average;   ///< "" where none is stated
+  const char* average;   ///< average cost; "" if none is stated
   bool in_table;         ///< false: not in Table 1; the entries are ours
 };
 
 std::span<const Method> methods();
 
-/// Throws CLI::ValidationError, which lists the words there are.
+/// Throws CLI::ValidationError, whose message lists the valid words.
 ClassicMethod parse_classic(const std::string& word);
 
-/// Two operands, read; their coordinate systems agree.
+/// Two operands that were read. Their coordinate systems agree.
 struct OperandPair {
   io::Layer a, b;
   const std::string& crs_wkt() const { return a.crs_wkt.empty() ? b.crs_wkt : a.crs_wkt; }
@@ -39,7 +39,7 @@ struct OperandPair {
 /// Throws IoError.
 OperandPair read_pair(const std::string& a, const std::string& b);
 
-/// The message of an error with its place in the files.
+/// The message of an error, with its place in the files.
 std::string describe(const OperandPair& pair, const Error& error);
 
 }  // namespace oblast::app

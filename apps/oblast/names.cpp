@@ -1,4 +1,4 @@
-// Words to values and back.
+// Converts words to values and values to words.
 #include "oblast/names.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ Value parse(const std::string& word, const Word<Value> (&words)[count], const ch
     if (word == w.word) return w.value;
     known += (known.empty() ? "" : ", ") + std::string(w.word);
   }
-  throw CLI::ValidationError(fmt::format("'{}' is no {}; there are: {}{}", word, what, known, more));
+  throw CLI::ValidationError(fmt::format("'{}' is not a valid {}; choose from {}{}", word, what, known, more));
 }
 
 template <class Value, std::size_t count>
@@ -63,7 +63,8 @@ FillRule parse_fill(const std::string& word) {
     const char* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data() + prefix.size(), end, depth);
     if (error == std::errc() && stop == end && depth >= 1) return FillRule::at_least(depth);
-    throw CLI::ValidationError(fmt::format("'{}': atleast: takes a whole number of 1 or more, as in atleast:3", word));
+    throw CLI::ValidationError(
+        fmt::format("'{}': after atleast: there must be a whole number of 1 or more, as in atleast:3", word));
   }
   return {parse(word, fills, "fill rule", ", atleast:K"), 1};
 }

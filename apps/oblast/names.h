@@ -1,4 +1,4 @@
-// The words of the command line for what the library calls by its own types.
+// The words of the command line for the enumerators of the library.
 #pragma once
 
 #include <oblast/options.h>
@@ -7,7 +7,7 @@
 
 namespace oblast::app {
 
-/// Each throws CLI::ValidationError, which lists the words there are.
+/// These functions throw CLI::ValidationError, whose message lists the valid words.
 Operation parse_operation(const std::string& word);  ///< intersection | union | difference | symdifference
 Engine parse_engine(const std::string& word);        ///< leonov-nikitin | vatti | skvortsov
 FillRule parse_fill(const std::string& word);        ///< polygons | atleast:K | evenodd | nonzero | positive | negative

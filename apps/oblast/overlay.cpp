@@ -7,10 +7,11 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-OP is intersection, union, difference (A without B) or symdifference (what is in
-exactly one of them). Each operand may overlap itself.
+OP is intersection, union, difference (A without B) or symdifference (the part that is
+in exactly one of A and B). The polygons of an operand may overlap each other and
+themselves.
 
-Example: what burnt in June but not in May
+Example: the area that burnt in June but not in May
   oblast overlay difference june.gpkg may.gpkg -o new.gpkg)";
 
 }  // namespace
@@ -27,13 +28,13 @@ void add_overlay(CLI::App& program, Invocation& invocation) {
   command
       ->add_option_function<std::string>(
           "OP", [arguments](const std::string& word) { arguments->parsed = parse_operation(word); },
-          "intersection, union, difference or symdifference")
+          "the operation: intersection, union, difference or symdifference")
       ->required()
       ->type_name("");
   command->add_option("A", arguments->a, "a vector file, a folder, or `-` for WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("B", arguments->b, "likewise")->required()->type_name("");
+  command->add_option("B", arguments->b, "the second operand, as A")->required()->type_name("");
   add_job_options(*command, arguments->job, invocation, Operands::two);
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] {

@@ -1,4 +1,4 @@
-// The command line and the failures of every command; the commands themselves are a file each.
+// Reads the command line and reports the errors of every command. Each command has a file of its own.
 #include "oblast/program.h"
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ namespace oblast::app {
 
 namespace {
 
-constexpr const char* footer = R"(Exit codes: 0 done, 1 the data is at fault, 2 the call is, 130 interrupted.
-`oblast COMMAND --help` tells more and gives an example.)";
+constexpr const char* footer = R"(Exit codes: 0 success, 1 an error in the data, 2 an error in the command line,
+130 interrupted. `oblast COMMAND --help` describes a command and gives an example.)";
 
 int fail(const Invocation& invocation, int code, const std::string& message) {
   fmt::print(stderr, "oblast: {}\n", message);
@@ -28,7 +28,7 @@ int fail(const Invocation& invocation, int code, const std::string& message) {
   return code;
 }
 
-// The innermost command that was named, for messages about the call: "oblast generate fires".
+// The innermost command on the command line, for messages: "oblast generate fires".
 const CLI::App* named_command(const CLI::App* app) {
   while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
   return app;
@@ -39,7 +39,7 @@ std::string full_name(const CLI::App* app) {
   return parent ? full_name(parent) + " " + app->get_name() : "oblast";
 }
 
-// Help and version are asked for; anything else is a fault of the call.
+// CLI11 reports a request for help or for the version as an error, too; anything else is an error in the command line.
 int after_parse(const CLI::App& program, const CLI::ParseError& error) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     program.exit(error);
@@ -57,10 +57,10 @@ int run_command(const Invocation& invocation) {
   } catch (const CallError& error) {
     return fail(invocation, exit_call, error.what());
   } catch (const Interrupted&) {
-    return fail(invocation, exit_interrupted, "interrupted; nothing was written");
+    return fail(invocation, exit_interrupted, "interrupted; unfinished output was removed");
   } catch (const std::bad_alloc&) {
     return fail(invocation, exit_data,
-                "out of memory: this input needs more than the machine gives; nothing was written");
+                "out of memory: the system has no more memory for this input; unfinished output was removed");
   } catch (const Error& error) {
     return fail(invocation, error.code() == ErrorCode::bad_option ? exit_call : exit_data, error.what());
   } catch (const std::exception& error) {
@@ -72,7 +72,7 @@ int run_command(const Invocation& invocation) {
 
 int run_program(int argc, char** argv) {
   install_interrupt_handler();
-  CLI::App program{"Overlays of polygons: exact, fast, and valid whatever goes in.", "oblast"};
+  CLI::App program{"Overlays of polygons: exact decisions, and a valid result for any input.", "oblast"};
   program.set_version_flag("--version", "oblast " OBLAST_VERSION);
   program.footer(footer);
   program.require_subcommand(1);

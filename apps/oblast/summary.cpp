@@ -16,18 +16,18 @@ std::string line(const std::string& head, const std::string& text) { return fmt:
 
 void append(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
 
-// Each thing worth knowing about the files is said once, whatever the number of features it concerns.
+// Each note about the files appears once, with the number of features that it concerns.
 std::string notes(const OperandSummary& operand) {
   const io::ReadReport& r = operand.report;
   std::string text;
-  if (r.with_z) append(text, counted(r.with_z, "feature") + " with Z read in 2D");
-  if (r.with_m) append(text, counted(r.with_m, "feature") + " with M read in 2D");
+  if (r.with_z) append(text, counted(r.with_z, "feature") + " with Z, which was ignored");
+  if (r.with_m) append(text, counted(r.with_m, "feature") + " with M, which was ignored");
   if (r.null_geometries) append(text, counted(r.null_geometries, "null geometry"));
   if (r.empty_geometries) append(text, counted(r.empty_geometries, "empty geometry"));
   if (r.lines) append(text, counted(r.lines, "line feature") + " passed over");
   if (r.points) append(text, counted(r.points, "point feature") + " passed over");
   if (r.unclosed_contours) append(text, counted(r.unclosed_contours, "unclosed contour") + " closed");
-  if (r.repeated_vertices) append(text, grouped(r.repeated_vertices) + " repeated vertices dropped");
+  if (r.repeated_vertices) append(text, counted(r.repeated_vertices, "repeated vertex") + " dropped");
   return text;
 }
 
@@ -92,7 +92,7 @@ std::string to_text(const Summary& summary) {
                fmt::format("{}, {}, largest displacement {:.3g} ({:.2f} ulp)", counted(s.intersections, "intersection"),
                            counted(s.rounds, "round"), s.largest_displacement, s.largest_displacement_ulps));
   if (s.resolved_polygons)
-    text += line("", counted(s.resolved_polygons, "polygon") + " with rings that meet, resolved first");
+    text += line("", counted(s.resolved_polygons, "polygon") + " with rings that meet; resolved first");
   text += line("time", stage_times(summary));
   text += line("memory", fmt::format("{:.0f} MiB at the peak", static_cast<double>(peak_memory()) / (1 << 20)));
   if (!summary.picture.empty()) text += line("picture", summary.picture);

@@ -1,4 +1,4 @@
-// What a job did, for a person and for a machine.
+// The summary of a job, as text and as JSON.
 #pragma once
 
 #include <oblast/options.h>
@@ -12,8 +12,8 @@
 namespace oblast::app {
 
 struct OperandSummary {
-  std::string label;               ///< "A", "B"; "input" where there is only one
-  std::vector<std::string> paths;  ///< as given
+  std::string label;               ///< "A" or "B"; "input" if there is only one operand
+  std::vector<std::string> paths;  ///< as on the command line
   io::ReadReport report;
   std::uint64_t files = 0;
   std::uint64_t polygons = 0;
@@ -38,7 +38,7 @@ struct Summary {
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer);
 
-/// A few lines, the last one ended.
+/// A few lines. The last one also ends with a line break.
 std::string to_text(const Summary& summary);
 nlohmann::ordered_json to_json(const Summary& summary);
 

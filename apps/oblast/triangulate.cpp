@@ -1,4 +1,4 @@
-// `oblast triangulate`: triangles with the polygon each belongs to.
+// `oblast triangulate`: triangles, each with the number of its polygon.
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 #include <oblast/triangulate.h>
@@ -19,10 +19,11 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-The input is united first; then every side of the result is a side of triangles, and
-as far as that allows the triangulation is Delaunay, decided exactly. Each triangle is
-a feature; its attribute `polygon` is the number of the polygon it lies in, in the
-order of `oblast union`, and -1 outside all of them (--hull). WKT has no attributes.
+The input is united first. Every side of the union is a side of triangles. As far as these
+sides allow, the triangulation is Delaunay; exact predicates decide. Each triangle is a
+feature. Its attribute `polygon` is the number of the polygon that contains it, from 0 in
+the order of `oblast union`, or -1 if no polygon contains it (--hull). WKT has no
+attributes.
 
 Example
   oblast triangulate districts.shp -o triangles.gpkg)";
@@ -37,7 +38,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// Each triangle as a polygon.
+/// A region set in which each triangle is a polygon.
 RegionSet polygons_of(const Triangulation& triangulation) {
   RegionSet polygons;
   polygons.points.reserve(3 * triangulation.triangles.size());
@@ -81,7 +82,8 @@ void report(const Triangulation& triangulation, const Arguments& arguments, bool
 }
 
 int run(const Arguments& arguments, bool json) {
-  if (json && arguments.output == "-") throw CallError("--json and `-o -` both want standard output");
+  if (json && arguments.output == "-")
+    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
   io::WriteOptions write_options;
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   io::check_writable(arguments.output, write_options);
@@ -96,7 +98,7 @@ int run(const Arguments& arguments, bool json) {
 
   progress.show("writing", 0);
   write_options.crs_wkt = layer.crs_wkt;
-  // Unsigned `none` becomes -1.
+  // The unsigned value `none` becomes -1.
   const std::vector<std::int32_t> numbers(triangulation.polygon.begin(), triangulation.polygon.end());
   write_options.polygon_numbers = numbers;
   io::write(arguments.output, polygons_of(triangulation), write_options);
@@ -111,25 +113,25 @@ void add_triangulate(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments* const a = arguments.get();
   CLI::App* command =
-      program.add_subcommand("triangulate", "Triangulate the union: constrained Delaunay, with polygon numbers.");
+      program.add_subcommand("triangulate", "Triangulate the union (constrained Delaunay), with polygon numbers.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, "vector files, folders of them, `-` for WKT on standard input")
+  command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_option("-o,--output", a->output, "where the triangles go; `-`: WKT on standard output")
+  command->add_option("-o,--output", a->output, "file for the triangles; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
   command
       ->add_option_function<std::string>(
           "--fill", [a](const std::string& word) { a->options.fill_a = parse_fill(word); },
-          "what is inside: polygons (default), atleast:K, evenodd, nonzero, positive or negative")
+          "the fill rule: polygons (default), atleast:K, evenodd, nonzero, positive or negative")
       ->type_name("RULE");
-  command->add_flag("--hull", a->hull, "also the triangles outside, up to the convex hull");
+  command->add_flag("--hull", a->hull, "also write the triangles outside the polygons, up to the convex hull");
   add_call_options(*command, a->options);
   command->add_flag("--overwrite", a->overwrite, "replace existing files");
-  command->add_flag("--strict", a->strict, "refuse lines and points instead of passing them over");
-  command->add_flag("--json", invocation.json, "one object on standard output instead of the summary");
-  command->add_flag("-q,--quiet", a->quiet, "no progress, no summary");
+  command->add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
+  command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command->add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

@@ -1,4 +1,4 @@
-// `oblast union`: all contours of all files to one region set.
+// `oblast union`: unites all polygons of all files.
 #include "oblast/job.h"
 
 namespace oblast::app {
@@ -6,9 +6,10 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-Every polygon of every file counts as the even-odd of its own rings, and the result
-is everything at least one polygon covers. `--fill atleast:3` gives what at least
-three polygons cover.
+Each polygon of each file is filled by even-odd of its own rings. The result is the area
+that at least one polygon covers. With `--fill atleast:3` it is the area that at least
+three polygons cover. The rules evenodd, nonzero, positive and negative use the winding
+number of all contours together.
 
 Example: one clean layer from a folder of shapefiles, with a picture
   oblast union fires/ -o burnt.gpkg --svg burnt.svg)";
@@ -23,7 +24,7 @@ void add_union(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("union", "Unite all polygons of all files in one pass.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "vector files, folders of them, `-` for WKT on standard input")
+  command->add_option("IN", arguments->inputs, "vector files or folders; `-`: WKT on standard input")
       ->required()
       ->type_name("");
   add_job_options(*command, arguments->job, invocation, Operands::one);

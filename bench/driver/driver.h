@@ -1,4 +1,4 @@
-// The harness of every C++ driver. What a driver is told and what it prints is in bench/README.md.
+// The harness of every C++ driver. bench/README.md describes the arguments and the output of a driver.
 //
 // A peer is a class:
 //
@@ -7,11 +7,11 @@
 //     static std::string version();
 //     explicit Peer(const Settings&);                                  // the operation, threads, ...
 //     struct Prepared;                                                 // both operands in its own types
-//     Prepared prepare(const RegionView& a, const RegionView& b);      // outside the clock
-//     void run(const Prepared&, RegionSet& result);                    // inside: overlay and extraction
+//     Prepared prepare(const RegionView& a, const RegionView& b);      // not timed
+//     void run(const Prepared&, RegionSet& result);                    // timed: overlay and extraction
 //   };
 //
-// `run` fills an empty result. It may throw; Unsupported says that the peer does not claim to do it.
+// `run` fills an empty result. It may throw; Unsupported means that the peer does not claim to support the workload.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Driver {
     Workload workload = read_workload(arguments.workload);
     settings_ = settings_for(arguments, workload);
     pairs_ = workload.pairs();
-    // Many pairs: every peer works on them in as many threads, each call in one.
+    // With many pairs, every peer works on them with this number of threads, and each call uses one thread.
     if (pairs_ > 1) std::swap(threads_over_pairs_, settings_.threads);
     Peer peer(settings_);
     prepared_.reserve(pairs_);
@@ -109,11 +109,11 @@ class Driver {
   Settings settings_;
   std::size_t pairs_ = 0;
   int threads_over_pairs_ = 1;
-  Workload workload_;  // kept alive only for peers that work on views of it
+  Workload workload_;  // kept only for peers that use views of it
   std::vector<typename Peer::Prepared> prepared_;
 };
 
-/// main of a driver: 0 when the peer ran, also when it failed on the data (then the line says so).
+/// The main function of a driver. Returns 0 if the peer ran, even if it failed on the data (then the line says so).
 template <class Peer>
 int drive(int argc, char** argv) {
   const std::optional<Arguments> arguments = parse(argc, argv);

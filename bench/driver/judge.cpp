@@ -1,13 +1,14 @@
-// oblast_judge RESULT: is what a driver wrote a valid region set? The same question to every engine, after
-// the clock. Prints one JSON object with the verdict, from strict to lax, and what kept it from a stricter one:
+// oblast_judge RESULT: checks whether the output of a driver is a valid region set. The check is the same for every
+// engine, and is not timed. Prints one JSON object with the verdict, and the reason why no stricter one applies. From
+// strict to lax:
 //
 //   valid          closed as oblast promises (G2, verify/, exact): edges meet only at common end points
 //   touching       the same, with contours that touch themselves at a vertex (convention leonov-nikitin)
-//   ogc valid      a valid MultiPolygon in GEOS's judgement: a vertex may also lie in the middle of an edge
+//   ogc valid      a MultiPolygon that GEOS considers valid: a vertex may also lie inside an edge
 //   self-touching  the same, with rings that touch themselves
 //   invalid        none of these
 //
-// Of many pairs a sample is judged; the verdict is the worst.
+// Of many pairs, a sample is judged. The verdict is the worst one.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +24,7 @@ using namespace oblast;
 
 constexpr std::size_t sample = 2000;
 
-// The peers have their own conventions for directions and for repeating the first vertex.
+// Peers have different conventions for directions and for repeating the first vertex.
 RegionSet normalised(const RegionView& regions) {
   RegionSet result;
   for (std::size_t p = 0; p < regions.polygon_count(); ++p) {

@@ -1,4 +1,4 @@
-// oblast without its fast paths: asked for statistics, every overlay goes through all stages of the pipeline.
+// oblast without its fast paths: with statistics, every overlay runs all stages of the pipeline.
 #include <oblast/oblast.h>
 
 #include "driver/driver.h"

@@ -44,7 +44,7 @@ std::string ogc_fault(const RegionView& regions, SelfTouching rings) {
     const int flags = rings == SelfTouching::admit ? GEOSVALID_ALLOW_SELFTOUCHING_RING_FORMING_HOLE : 0;
     char* reason = nullptr;
     const bool valid = GEOSisValidDetail_r(context, geometry, flags, &reason, nullptr) == 1;
-    const std::string text = reason != nullptr ? reason : "GEOS cannot tell";
+    const std::string text = reason != nullptr ? reason : "GEOS gives no reason";
     GEOSFree_r(context, reason);
     GEOSGeom_destroy_r(context, geometry);
     GEOS_finish_r(context);

@@ -1,4 +1,4 @@
-// Validity as the OGC defines it, in GEOS's judgement.
+// Validity as the OGC defines it, decided by GEOS.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -9,8 +9,8 @@ namespace oblast::bench {
 
 enum class SelfTouching { refuse, admit };
 
-/// Empty where the polygons form a valid MultiPolygon, else the reason. The OGC refuses rings that touch
-/// themselves at a point; with `admit` such rings may enclose holes.
+/// Empty if the polygons form a valid MultiPolygon, otherwise the reason. The OGC does not allow rings that touch
+/// themselves at a point; with `admit`, such rings may enclose holes.
 std::string ogc_fault(const RegionView& regions, SelfTouching rings);
 
 }  // namespace oblast::bench

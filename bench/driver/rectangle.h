@@ -11,7 +11,7 @@ struct Rectangle {
   double x0, y0, x1, y1;
 };
 
-/// B as the rectangle it is. Throws Unsupported for another operand or another operation than intersection.
+/// B as a rectangle. Throws Unsupported if B is not a rectangle, or if the operation is not the intersection.
 inline Rectangle clip_rectangle(const Settings& settings, const RegionView& b) {
   if (settings.operation != Operation::intersection || b.contour_count() != 1 || b.points.size() != 4)
     throw Unsupported("only for clipping by a rectangle");

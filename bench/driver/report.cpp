@@ -82,7 +82,7 @@ Settings settings_for(const Arguments& arguments, const Workload& workload) {
 }
 
 Memory::Memory() {
-  malloc_trim(0);  // what an earlier run freed does not count as input
+  malloc_trim(0);  // memory that an earlier run freed does not count as input
   std::ofstream("/proc/self/clear_refs") << "5";
   input_kib_ = status_kib("VmRSS:");
 }

@@ -1,4 +1,4 @@
-// What a driver is told, and the lines it prints: one JSON object a run.
+// The arguments of a driver, and the lines that it prints: one JSON object per run.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,35 @@ namespace oblast::bench {
 
 struct Arguments {
   std::string workload;
-  std::string operation;  ///< "default" is the workload's own
+  std::string operation;  ///< "default": the operation of the workload
   int repeat = 1;
   int threads = 1;
-  std::string dump;  ///< where the last result goes, empty for nowhere
+  std::string dump;  ///< file for the last result; empty: none
 };
 
-/// What a peer needs to know besides the operands.
+/// What a peer needs besides the operands.
 struct Settings {
   Operation operation = Operation::unite;
   FillRule::Kind fill = FillRule::Kind::polygons;
   OperandKind kind_a = OperandKind::region_set;
   OperandKind kind_b = OperandKind::region_set;
-  bool unary = false;     ///< B is empty: the union of A's polygons is asked for
+  bool unary = false;     ///< B is empty, and the task is the union of A's polygons
   bool coverage = false;  ///< A is a coverage
   bool integer = false;   ///< all coordinates are integers
   double largest = 0;     ///< the largest magnitude of a coordinate
   int threads = 1;
 };
 
-/// WORKLOAD OPERATION [--repeat N] [--threads T] [--dump FILE]; prints the usage where it does not fit.
+/// WORKLOAD OPERATION [--repeat N] [--threads T] [--dump FILE]. Prints the usage if the arguments are wrong.
 std::optional<Arguments> parse(int argc, char** argv);
 Settings settings_for(const Arguments& arguments, const Workload& workload);
 
-/// Starts measuring the peak of resident memory; what is resident then is the input and the program.
+/// Starts measuring the peak of resident memory. The memory at this time is the input and the program.
 class Memory {
  public:
   Memory();
   std::uint64_t input_kib() const { return input_kib_; }
-  std::uint64_t peak_kib() const;  ///< the highest since construction
+  std::uint64_t peak_kib() const;  ///< the peak since construction
 
  private:
   std::uint64_t input_kib_ = 0;

@@ -1,6 +1,6 @@
-// Clipper2: 64-bit integers. Coordinates that are not integers are scaled by a power of two, outside the
-// clock, so that the largest has 48 bits. As `clipper2` it gives polygons with their holes (PolyTree64), as
-// every other engine does; as `clipper2-paths` it gives loose contours, which is less work.
+// Clipper2, with 64-bit integers. Coordinates that are not integers are scaled by a power of two, so the largest has 48
+// bits; this is not timed. As `clipper2` it returns polygons with their holes (PolyTree64), as every other engine does.
+// As `clipper2-paths` it returns separate contours, which is less work.
 #include <clipper2/clipper.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ struct Clipper2 {
     result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
   }
 
-  // Outer contours and holes alternate by level; nesting can be deep, so no recursion.
+  // Outer contours and holes alternate by level. Nesting can be deep, so there is no recursion.
   void extract(const clipper::PolyTree64& tree, RegionSet& result) const {
     std::vector<const clipper::PolyPath64*> outers;
     for (const auto& outer : tree) outers.push_back(outer.get());

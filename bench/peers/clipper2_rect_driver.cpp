@@ -1,4 +1,4 @@
-// Clipper2's clip by a rectangle (RectClip64), on the integers of clipper2_driver.cpp. It gives loose contours.
+// Clipper2's clip by a rectangle (RectClip64), on the integers of clipper2_driver.cpp. It returns separate contours.
 #include <clipper2/clipper.h>
 
 #include <cmath>

@@ -17,7 +17,7 @@ struct Geos {
   static std::string name() { return "geos"; }
   static std::string version() { return GEOSversion(); }
 
-  // Geometries outlive the context that made them here: their destruction needs any context.
+  // Here geometries outlive the context that made them. Their destruction needs some context.
   struct Destroy {
     void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy(geometry); }
   };
@@ -74,7 +74,7 @@ struct Geos {
     return Geometry(geometry);
   }
 
-  // GEOS overlays valid geometries only; what is not valid yet is made so, inside the clock.
+  // GEOS overlays valid geometries only. Invalid ones are made valid first; this is timed.
   Geometry resolved(const GEOSGeometry* operand, OperandKind kind) {
     if (kind == OperandKind::overlapping) return checked(GEOSUnaryUnion_r(context_, operand));
     if (kind == OperandKind::region_set) return {};
@@ -105,7 +105,7 @@ struct Geos {
           GEOSGeom_createPolygon_r(context_, rings[0], rings.data() + 1, static_cast<unsigned>(rings.size() - 1)));
     }
     if (polygons.size() == 1) return Geometry(polygons[0]);
-    // A coverage's polygons may not form a MultiPolygon: GEOSCoverageUnion wants a collection of polygons.
+    // The polygons of a coverage may not form a MultiPolygon. GEOSCoverageUnion expects a collection of polygons.
     const int type = settings_.coverage ? GEOS_GEOMETRYCOLLECTION : GEOS_MULTIPOLYGON;
     return checked(
         GEOSGeom_createCollection_r(context_, type, polygons.data(), static_cast<unsigned>(polygons.size())));
@@ -122,7 +122,7 @@ struct Geos {
     result.contour_ends.push_back(static_cast<std::uint32_t>(result.points.size()));
   }
 
-  // Polygons of a result; lines and points in a mixed result have no area and are left.
+  // Extracts the polygons of a result. Lines and points in a mixed result have no area and are ignored.
   void extract(const GEOSGeometry* geometry, RegionSet& result) {
     const int type = GEOSGeomTypeId_r(context_, geometry);
     if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
@@ -143,7 +143,7 @@ struct Geos {
   std::string message_;
 };
 
-// The same without the short cut for coverages, which gives wrong results where borders do not match.
+// The same without the shortcut for coverages, which gives wrong results if borders do not match.
 struct GeosUnary : Geos {
   static std::string name() { return "geos"; }
   explicit GeosUnary(bench::Settings settings) : Geos((settings.coverage = false, settings)) {}

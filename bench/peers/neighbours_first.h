@@ -1,5 +1,5 @@
-// The union of many polygons for peers that unite only two: parts are put in the order of a
-// Z curve over their positions and united pairwise, then the results pairwise, and so on.
+// The union of many polygons for peers that unite only two. Parts are sorted along a Z curve and united in pairs, then
+// the results are united in pairs, and so on.
 #pragma once
 
 #include <oblast/point.h>

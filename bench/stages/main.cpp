@@ -1,13 +1,13 @@
 // oblast_stages: in-process benchmarks of the pipeline (Google Benchmark).
 //
-//   stage/NAME/INPUT            one stage of the pipeline, as Options::statistics tells its time; one thread
-//   whole/INPUT/threads:T       the whole call as a user makes it
+//   stage/NAME/INPUT            one stage of the pipeline, with its time from Options::statistics; one thread
+//   whole/INPUT/threads:T       the whole call, as a user makes it
 //   growth/KIND/EDGES           the same from 10^4 to 10^6 edges; one thread
 //
 //   oblast_stages [--benchmark_filter=REGEX ...] [WORKLOAD_FILE...]      files (oblast_workload) are inputs as well
 //
-// An input of many pairs is one call after another. Items per second are edges of the input. Beside a stage the column
-// of processor time means nothing.
+// An input of many pairs is processed call by call. Items per second are edges of the input. For a stage, the column of
+// processor time has no meaning.
 #include <benchmark/benchmark.h>
 #include <oblast/oblast.h>
 
@@ -28,7 +28,7 @@ namespace {
 
 using StageSeconds = std::array<double, stage_count>;
 
-/// A workload by name, made when it is first needed: a filtered run makes those it measures only.
+/// A workload, made when it is first needed. So a filtered run makes only the workloads that it measures.
 class Input {
  public:
   Input(std::string name, std::function<Workload()> make) : name_(std::move(name)), make_(std::move(make)) {}
@@ -44,7 +44,7 @@ class Input {
     return static_cast<std::int64_t>(workload().a.arrays.points.size() + workload().b.arrays.points.size());
   }
 
-  /// Of the call of that number. All stages share their calls, so their times add up to the pipeline's.
+  /// The times of the call with that number. All stages share the calls, so their times add up to that of the pipeline.
   const StageSeconds& stage_seconds(std::size_t call);
 
  private:
@@ -54,7 +54,7 @@ class Input {
   std::vector<StageSeconds> calls_;
 };
 
-/// Every pair of the workload; with `stages` the pipeline's statistics, added up by stage.
+/// Overlays every pair of the workload. With `stages`, adds up the statistics of the pipeline by stage.
 void call(const Workload& workload, int threads, StageSeconds* stages) {
   Statistics statistics;
   Options options;
@@ -97,7 +97,7 @@ void register_input(const std::shared_ptr<Input>& input, std::initializer_list<i
     const auto measure = [input, stage, next_call = std::size_t{0}](benchmark::State& state) mutable {
       measure_stage(state, *input, stage, next_call);
     };
-    // An iteration is a whole call: were their number not fixed, a short stage would be repeated for minutes.
+    // An iteration is a whole call. Their number is fixed; otherwise a short stage would be repeated for minutes.
     benchmark::RegisterBenchmark(("stage/" + std::string(stage_names[stage]) + "/" + input->name()).c_str(), measure)
         ->UseManualTime()
         ->Iterations(5)
@@ -111,7 +111,7 @@ void register_input(const std::shared_ptr<Input>& input, std::initializer_list<i
   }
 }
 
-/// `size` is the generator's SIZE for so many edges of both operands together.
+/// `size` returns the SIZE of the generator for a total number of edges in both operands.
 void register_growth(const NamedWorkload& kind, std::uint32_t (*size)(std::int64_t edges)) {
   benchmark::RegisterBenchmark(("growth/" + std::string(kind.name)).c_str(),
                                [kind, size](benchmark::State& state) {

@@ -1,7 +1,7 @@
-// compare_triangulations POINTS...: both libraries in turn on each input, the best of 7 to 100 runs each.
+// compare_triangulations POINTS...: runs both libraries alternately on each input; the best of 7 to 100 runs each.
 //
-// Times are processor time of one thread, from the points and sides in memory to the triangulation. Growth: our
-// time a point against that of the size given before.
+// Times are processor time of one thread, from the points and sides in memory to the triangulation. Growth is our time
+// per point divided by that of the size before.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -16,7 +16,8 @@ TriangulationInput random_points(std::size_t n) {
   return input;
 }
 
-/// One segment in each cell of a lattice, as long as the cell allows: about half are no sides before.
+/// One segment in each cell of a lattice, as long as the cell allows. About half are not sides of the Delaunay
+/// triangulation.
 TriangulationInput random_segments(std::size_t n) {
   std::mt19937_64 random(2);
   TriangulationInput input;
@@ -47,7 +48,7 @@ TriangulationInput wiggly_polygon(std::size_t n) {
   return input;
 }
 
-/// Squares of a lattice with whole coordinates, each side shared: everything is cocircular.
+/// The squares of a lattice with whole coordinates. Each side is shared, and everything is cocircular.
 TriangulationInput lattice(std::size_t n) {
   TriangulationInput input;
   const auto size = static_cast<std::size_t>(std::sqrt(static_cast<double>(n)));

@@ -1,4 +1,4 @@
-// What is triangulated: points and sides between them that do not cross.
+// The inputs of triangulations: points, and sides between them that do not cross.
 #pragma once
 
 #include <oblast/point.h>
@@ -22,7 +22,8 @@ struct NamedInput {
 
 std::span<const NamedInput> triangulation_inputs();
 
-/// Seconds of processor time, and triangles within the convex hull. The side count is a check that both did the same.
+/// Seconds of processor time, and the number of triangles in the convex hull. The number of sides shows that both
+/// libraries did the same.
 struct TriangulationRun {
   double seconds;
   std::size_t triangles;

@@ -1,4 +1,4 @@
-// Small pieces the workload generators share.
+// Functions that the workload generators share.
 #include "workloads/workloads.h"
 
 namespace oblast::bench {

@@ -1,4 +1,4 @@
-// Generated workloads of DESIGN section 9.
+// The generated workloads.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@ Workload stars(std::uint32_t n, std::uint64_t seed) {
   return single(Operation::intersection, std::move(a), std::move(b));
 }
 
-// n parallel bars, turned so that no edge is parallel to an axis.
+// n parallel bars, rotated so that no edge is parallel to an axis.
 RegionSet bars(std::uint32_t n, double turn) {
   RegionSet regions;
   const double c = std::cos(turn);
@@ -67,7 +67,7 @@ Workload crossing(std::uint32_t n, std::uint64_t seed) {
                 FillRule::Kind::even_odd);
 }
 
-// Two arms of an Archimedean spiral, one a little turned against the other: long thin windings that cross often.
+// Two arms of an Archimedean spiral, one slightly rotated: long thin windings that cross often.
 Workload spiral_pair(std::uint32_t n, std::uint64_t) {
   const auto arm = [n](double turn, double center) {
     std::vector<Point> contour;
@@ -75,7 +75,7 @@ Workload spiral_pair(std::uint32_t n, std::uint64_t) {
     for (std::uint32_t i = 0; i < n; ++i) {
       const bool back = i >= n / 2;
       const double t = 2.0 * (back ? n - 1 - i : i) / n;
-      // Vertices at even distances, from the third winding on: further in, chords would cross.
+      // Vertices at equal distances, beginning at the third winding. Further inside, chords would cross.
       const double angle = two_pi * std::sqrt(9 + (windings * windings - 9) * t);
       const double radius = 10 * angle / two_pi + (back ? 9 : 5);
       contour.push_back({center + radius * std::cos(angle + turn), radius * std::sin(angle + turn)});
@@ -114,8 +114,8 @@ Workload pairs(std::uint32_t n, std::uint64_t seed) {
   return workload;
 }
 
-// The border from one corner of a cell to another, without the second: it sways sideways, less near its ends, so that
-// the borders that meet at a corner cross nowhere else.
+// The border from one corner of a cell to another, without the second corner. It deviates sideways, less near its ends,
+// so borders that meet at a corner do not cross.
 std::vector<Point> border(Point from, Point to, std::mt19937_64& random) {
   constexpr std::uint32_t steps = 16;
   std::vector<Point> points = {from};
@@ -180,8 +180,8 @@ constexpr NamedWorkload workloads[] = {
 
 }  // namespace
 
-// A star-shaped contour of n vertices: five large waves, fifty small ones, and a wiggle of each vertex by
-// up to a third of its spacing. It is simple, because its angles increase.
+// A star-shaped contour of n vertices, with five large waves, fifty small ones, and a random deviation of each vertex
+// by up to a third of the spacing. It is simple, because its angles increase.
 std::vector<Point> wiggly_star(std::uint32_t n, double phase, std::mt19937_64& random) {
   std::vector<Point> contour(n);
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -1,5 +1,5 @@
-// The geometry of the tests iOverlay publishes its own figures for (iShape-Rust/iOverlay, folder
-// `performance`), written anew from their description there. Integer coordinates where theirs are.
+// The geometry of the tests for which iOverlay publishes figures (iShape-Rust/iOverlay, folder `performance`), written
+// from their description. Coordinates are integers if theirs are.
 #include <cmath>
 #include <numbers>
 
@@ -42,7 +42,7 @@ Workload lines_net(std::uint32_t n, std::uint64_t) {
   return single(Operation::intersection, std::move(vertical), std::move(horizontal));
 }
 
-// A band along a zigzag that winds outwards; neighbouring turns of the band cross.
+// A band along a zigzag that winds outwards. Neighbouring turns of the band cross.
 Workload spiral(std::uint32_t n, std::uint64_t) {
   constexpr double unit = 100;
   constexpr double width = 0.1 * unit;
@@ -75,7 +75,7 @@ Workload windows(std::uint32_t n, std::uint64_t) {
   return single(Operation::difference, square_grid(origin, 20, 30, n), square_grid(origin + 5, 10, 30, n));
 }
 
-// Frames of width 4 around a common centre, their horizontal sides in one operand, the vertical in the other.
+// Frames of width 4 around a common centre. One operand has their horizontal sides, the other the vertical ones.
 Workload nested_squares(std::uint32_t n, std::uint64_t) {
   constexpr double width = 4;
   RegionSet vertical, horizontal;
@@ -132,7 +132,7 @@ Workload concentric(std::uint32_t n, std::uint64_t) {
   return single(Operation::intersection, std::move(rings), std::move(beads));
 }
 
-// Each cell: four triangles like the sails of a mill, four squares that bite into them.
+// Each cell has four triangles like the sails of a windmill, and four squares that overlap them.
 Workload windmill(std::uint32_t n, std::uint64_t) {
   RegionSet sails, bites;
   for (std::uint32_t row = 0; row < n; ++row) {

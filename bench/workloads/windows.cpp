@@ -54,7 +54,7 @@ RegionSet small_polygon(Point center, std::uint32_t count, double least_radius, 
   return regions;
 }
 
-// Polygons of 10 to 50 vertices against one window: of ten about four lie inside, three across, three outside.
+// Polygons of 10 to 50 vertices and one window. Of ten polygons about four are inside, three across and three outside.
 Workload window_pairs(std::uint32_t n, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   RegionSet window;

@@ -1,4 +1,4 @@
-// Reading and writing workload files; the two small measures every driver needs.
+// Reads and writes workload files, and computes the two measures that every driver needs.
 #include "workloads/workload_file.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void get_operand(std::ifstream& file, Operand& operand, std::size_t pairs) {
   get(file, operand.pair_ends.data(), pairs);
 }
 
-// Twice the area, relative to the first point so that far-away contours keep their digits.
+// Twice the area, relative to the first point, so contours far from the origin lose no digits.
 double doubled_area(std::span<const Point> contour) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < contour.size(); ++i) {

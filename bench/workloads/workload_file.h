@@ -1,4 +1,4 @@
-// The workload file: one overlay, or many small ones, in a form every driver reads without effort.
+// The workload file: one overlay, or many small ones, in a form that is easy to read for every driver.
 //
 //   header    magic "OBLWORK1"; then u32: operation, fill, kind of A, kind of B, flags, pairs
 //   A, then B:
@@ -7,10 +7,9 @@
 //     u32     contour ends, then polygon ends (0 to 4 bytes follow, up to a multiple of 8)
 //     u64     for each pair: where its points, contours and polygons end
 //
-// Ends count from the beginning of their pair, so a pair is a RegionView of the arrays as they lie.
-// Little-endian. The first contour of a polygon is its outer one. Where no contours cross, outer ones
-// run counter-clockwise and holes clockwise, so that `polygons`, `nonzero` and OGC readers agree.
-// Results of drivers are written in the same form, with B empty.
+// Ends count from the beginning of their pair, so a pair is a RegionView of the arrays. Numbers are little-endian. The
+// first contour of a polygon is its outer one. If no contours cross, outer contours run counter-clockwise and holes
+// clockwise, so `polygons`, `nonzero` and OGC readers agree. Drivers write results in the same form, with an empty B.
 #pragma once
 
 #include <oblast/options.h>
@@ -22,11 +21,11 @@
 
 namespace oblast::bench {
 
-/// What a reader may rely on in an operand.
+/// The properties of an operand on which a reader may rely.
 enum class OperandKind : std::uint32_t {
   region_set,   ///< valid polygons that do not overlap
   overlapping,  ///< valid polygons; they may overlap, or share borders
-  crossing,     ///< contours may cross themselves: only the fill rule gives them a meaning
+  crossing,     ///< contours may cross themselves; the fill rule decides what is inside
 };
 
 /// The arrays of all pairs of one operand, one after another.
@@ -52,14 +51,14 @@ struct Workload {
   std::size_t pairs() const { return a.pair_ends.size(); }
 };
 
-/// Throw std::runtime_error naming the file.
+/// These functions throw std::runtime_error, whose message names the file.
 Workload read_workload(const std::string& path);
 void write_workload(const std::string& path, const Workload& workload);
 
 /// Turns outer contours counter-clockwise and holes clockwise.
 void orient(RegionSet& regions);
 
-/// Area of a set whose outer contours all run one way, whichever, and its holes the other.
+/// The area of a set whose outer contours all have one direction and whose holes have the other.
 double region_area(const RegionView& regions);
 
 }  // namespace oblast::bench

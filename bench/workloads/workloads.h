@@ -1,5 +1,5 @@
-// The workloads of DESIGN section 9 and the tests iOverlay publishes. All are functions of a size and a
-// seed alone; the sizes are explained at each.
+// The generated workloads, and the tests that iOverlay publishes. Each depends only on a size and a seed; its entry
+// says what the size means.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct NamedWorkload {
 std::span<const NamedWorkload> general_workloads();   // general.cpp
 std::span<const NamedWorkload> window_workloads();    // windows.cpp
 std::span<const NamedWorkload> ioverlay_workloads();  // ioverlay_tests.cpp
-/// The one of that name; null where there is none.
+/// The workload of that name, or null.
 const NamedWorkload* find_workload(std::string_view name);
 
 /// A uniform number in [0, 1), the same on every machine (std::uniform_real_distribution is not).
@@ -36,10 +36,11 @@ void add_hole(RegionSet& regions, std::span<const Point> contour);
 /// Appends the axis-parallel rectangle [x0, x1] x [y0, y1].
 void add_rectangle(RegionSet& regions, double x0, double y0, double x1, double y1);
 
-/// A simple contour of n vertices about the origin, radius 1000: waves large and small, and a wiggle of each vertex.
+/// A simple contour of n vertices around the origin, of radius 1000, with large and small waves and a random deviation
+/// of each vertex.
 std::vector<Point> wiggly_star(std::uint32_t n, double phase, std::mt19937_64& random);
 
-/// A workload of one pair; contours are oriented unless they cross.
+/// A workload of one pair. Contours are oriented, unless they cross.
 Workload single(Operation operation, RegionSet a, RegionSet b, OperandKind kind_a = OperandKind::region_set,
                 OperandKind kind_b = OperandKind::region_set, FillRule::Kind fill = FillRule::Kind::polygons);
 

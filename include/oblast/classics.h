@@ -1,10 +1,11 @@
-// The classic methods of Skvortsov 2002, section 2: each on its own domain, the same bytes as `overlay`.
+// The classic methods of Skvortsov 2002, section 2. Each has a domain of its own, and the same result as `overlay`.
 //
-// Each function checks its domain first and throws Error(precondition) outside it, never gives a wrong
-// answer. The error says which contour and which vertex are at fault and which method to use instead; its
-// Place has the same as indices. Inside the domain every degenerate meeting (vertex on edge, vertex on
-// vertex, shared edges) is decided by exact predicates, and the result is, byte for byte, what
-// `overlay` gives.
+// Each function first checks whether the operands are in its domain. If they are not, it throws Error(precondition).
+// The message names the contour and the vertex at fault, and a method to use instead; the Place of the error has the
+// same indices. Inside the domain, exact predicates decide every degenerate meeting (vertex on edge, vertex on vertex,
+// shared edges), and the result is the same as that of `overlay`, byte for byte.
+//
+// n1, n2: vertices of A and B. n = n1 + n2. k: points at which the boundaries meet.
 #pragma once
 
 #include <oblast/error.h>
@@ -19,67 +20,75 @@ namespace oblast {
 
 enum class ClassicMethod { orourke, sutherland_hodgman, weiler_atherton, margalit_knott };
 
-/// What a classic did. Filled when a pointer to one is given.
+/// What a classic method did. A function fills it if it gets a pointer to one.
 struct ClassicReport {
-  std::uint64_t steps = 0;     ///< advances (O'Rourke), half-planes (Sutherland-Hodgman); 0 for the others
+  std::uint64_t steps = 0;     ///< advances (O'Rourke) or half-planes (Sutherland-Hodgman); 0 for the others
   std::uint64_t meetings = 0;  ///< points at which the boundaries of A and B meet
-  /// Some meeting lies so close to another vertex or edge (within 2^-46 of the largest coordinate) that
-  /// rounding it might change what meets what. The method then hands its operands to the settled noding
-  /// of `overlay`, which repeats rounding until nothing changes.
+  /// True if the method passed its operands on to `overlay`. It does so if a meeting lies too close to another vertex
+  /// or edge (within 2^-46 of the largest coordinate): rounding that meeting might change what meets what. `overlay`
+  /// repeats rounding until nothing changes.
   bool handed_over = false;
 };
 
-/// O'Rourke, Chien, Olson and Naddor 1982: convex with convex.
-/// Domain: each operand one convex contour, either direction, straight vertices allowed; intersection,
-/// union, difference. Cost: at most 2(n1 + n2) advances, O(n1 + n2) time, and O(k log k) to order k meetings.
+/// O'Rourke, Chien, Olson and Naddor 1982 (Skvortsov, section 2.1): convex with convex.
+/// Domain: each operand is one convex contour, in either direction. Vertices on a straight side are allowed. The
+/// operation is intersection, union or difference.
+/// Cost: at most 2(n1 + n2) advances in O(n1 + n2) time, and O(k log k) to sort the meetings.
 /// Throws Error: precondition, and as `overlay`.
 OBLAST_API RegionSet orourke(const RegionView& a, const RegionView& b, Operation operation,
                              ClassicReport* report = nullptr, const CallOptions& options = {});
 
-/// Sutherland and Hodgman 1974: `subject` clipped to a convex window; intersection only.
-/// Domain: the window is one convex contour of m sides; the subject is one general polygon, that is, any
-/// contours read by even-odd, or several polygons that meet each other nowhere but at vertices. What
-/// crosses itself in the subject is resolved first, since a result must be closed.
-/// Cost: O(m n log n) worst, O(m n) where few edges cross the window; O(n log n) to see that the subject is simple.
+/// Sutherland and Hodgman 1974 (Skvortsov, section 2.2): clips `subject` to a convex window. Intersection only.
+/// Domain: the window is one convex contour with m sides. The subject is one polygon of any contours, filled by
+/// even-odd, or several polygons that meet each other at vertices only. If the subject crosses itself, it is resolved
+/// first, because a result must be closed.
+/// Cost, with n vertices of the subject: O(m n log n) in the worst case; O(m n) if few edges cross the window; O(n log
+/// n) to test that the subject is simple.
 /// Throws Error: precondition, and as `overlay`.
 OBLAST_API RegionSet sutherland_hodgman(const RegionView& subject, const RegionView& window,
                                         ClassicReport* report = nullptr, const CallOptions& options = {});
 
-/// Weiler and Atherton 1977: regular polygons with oriented contours; holes allowed.
-/// Domain: in each operand edges meet at their ends only, and the interior is on one and the same side
-/// of every contour as it is directed: left of all or right of all. Contours are read as directed, however
-/// they are grouped into polygons. Intersection, union, difference. Cost: O((n + k) log n), k meetings.
+/// Weiler and Atherton 1977 (Skvortsov, section 2.3): regular polygons with oriented contours. Holes are allowed.
+/// Domain: in each operand edges meet at their ends only, and the interior is on the same side of all contours: left of
+/// all or right of all, as they are directed. The grouping of contours into polygons does not matter. The operation is
+/// intersection, union or difference.
+/// Cost: O((n + k) log n).
 /// Throws Error: precondition, and as `overlay`.
 OBLAST_API RegionSet weiler_atherton(const RegionView& a, const RegionView& b, Operation operation,
                                      ClassicReport* report = nullptr, const CallOptions& options = {});
 
-/// Margalit and Knott 1989: vertex-complete polygons.
-/// Domain: each operand one contour, either direction, any two edges of which are disjoint, or meet at
-/// their ends only, or coincide: keyholes and figures of eight are admitted. Read by even-odd.
-/// Intersection, union, difference. Cost: O((n + k) log n): the improvement Table 1 calls theoretical.
+/// Margalit and Knott 1989 (Skvortsov, section 2.4): vertex-complete polygons.
+/// Domain: each operand is one contour, in either direction, filled by even-odd. Any two of its edges are disjoint,
+/// meet at their ends only, or coincide. So keyholes and figures of eight are allowed. The operation is intersection,
+/// union or difference.
+/// Cost: O((n + k) log n). This is the improvement that Skvortsov's Table 1 calls theoretical.
 /// Throws Error: precondition, and as `overlay`.
 OBLAST_API RegionSet margalit_knott(const RegionView& a, const RegionView& b, Operation operation,
                                     ClassicReport* report = nullptr, const CallOptions& options = {});
 
-/// One of the above by its name. Throws Error(precondition) for an operation the method does not have.
+/// Calls one of the functions above. Throws Error as that function; precondition if the method does not have the
+/// operation.
 OBLAST_API RegionSet classic(ClassicMethod method, const RegionView& a, const RegionView& b, Operation operation,
                              ClassicReport* report = nullptr, const CallOptions& options = {});
 
-/// A convex window prepared once, to clip millions of polygons. Most of a subject needs a look at its boxes only, so
-/// the cost is that of what comes near the window. May be used from several threads at once.
+/// A convex window that is prepared once and then clips any number of polygons. Most parts of a subject are decided by
+/// their bounding boxes, so the cost depends on what comes near the window. Several threads may use it at once.
 class OBLAST_API ClipWindow {
  public:
-  /// The contour of `window`. Domain and errors as the window of `sutherland_hodgman`.
+  /// `window` is one convex contour. Errors as for the window of `sutherland_hodgman`. Copies the contour.
   explicit ClipWindow(const RegionView& window, const CallOptions& options = {});
-  /// REQUIRES: x0 < x1, y0 < y1; else throws Error(precondition).
+  /// The rectangle with x0 < x1 and y0 < y1. Throws Error(precondition) for any other one, and not_finite or
+  /// out_of_domain for its coordinates.
   ClipWindow(double x0, double y0, double x1, double y1);
   ~ClipWindow();
   ClipWindow(ClipWindow&&) noexcept;
   ClipWindow& operator=(ClipWindow&&) noexcept;
 
-  /// overlay(subject, window, Operation::intersection), and its bytes, for any subject; `overlay` itself takes this way
-  /// where it can see at small cost that it may. Cost: O(n + c log c), c edges near the window; that of `overlay` where
-  /// the report says that it was handed over: something touches the window or nearly does, or edges meet near it.
+  /// The same as overlay(subject, window, Operation::intersection), byte for byte, for any subject. (`overlay` takes
+  /// the same fast path if a cheap test shows that it can.)
+  /// Cost: O(n + c log c), with c edges near the window. If the report says `handed_over`, the cost is that of
+  /// `overlay`. This happens if something touches or nearly touches the window, if edges meet near it, or if it has
+  /// more than 64 sides. Throws Error: as `overlay`.
   RegionSet clip(const RegionView& subject, ClassicReport* report = nullptr, const CallOptions& options = {}) const;
 
  private:

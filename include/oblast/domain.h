@@ -1,7 +1,7 @@
 // The domain of coordinates: zero, and magnitudes from 2^-300 to 2^300 (about 4.9e-91 to 2.0e90).
 //
-// Inside it no exact predicate or construction can overflow or underflow; src/exact/expansion.h
-// gives the argument. Outside it the library throws Error(out_of_domain).
+// For coordinates in the domain, no exact predicate or construction can overflow or underflow (src/exact/expansion.h
+// has the proof). For any other finite coordinate the library throws Error(out_of_domain).
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// What a shared library of oblast exports: everything else of it is hidden.
+// Marks what the shared library exports. Everything else in it is hidden.
 #pragma once
 
 #if defined(__GNUC__)

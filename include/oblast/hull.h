@@ -11,20 +11,21 @@
 
 namespace oblast {
 
-/// The convex hull of a contour by Lee's scan with one stack (Preparata and Shamos, section 4.1.4).
-/// The corners counter-clockwise from the lexicographically smallest one, exact, without collinear
-/// ones; fewer than three where the points are collinear.
+/// The convex hull of the points of a contour. Returns its corners counter-clockwise, starting at the lexicographically
+/// smallest one. Corners are input points, bit for bit (except that -0.0 becomes 0.0), and no three neighbours are
+/// collinear. If all points are collinear, there are fewer than three corners.
 ///
-/// The scan is right for simple contours, in either direction, and its answer is checked in one more pass
-/// over the points, each against the hull's edge above or below it; where a contour is not simple and the scan fell for
-/// it, the hull is taken by the monotone chain (Andrew 1979). So the answer is the hull of the points in any case.
-/// Throws Error: not_finite, out_of_domain, too_large, bad_option, cancelled, memory_limit. Cost: O(n) for simple
-/// contours (the check finds edges by buckets: a logarithm of the corners in one bucket at worst), O(n log n)
-/// otherwise.
+/// The method is Lee's scan with one stack (1983; Preparata and Shamos, section 4.1.4). It is correct for simple
+/// contours in either direction. A second pass compares every point with the edge of the hull above or below it. If
+/// this check fails, because the contour is not simple, the monotone chain (Andrew 1979) computes the hull. So the
+/// result is the hull of the points for any contour.
+/// Cost: O(n) for simple contours, O(n log n) for others. The check searches edges in buckets of equal width in x. In
+/// the worst case, if one bucket holds all corners, it takes O(n log n).
+/// Throws Error: not_finite, out_of_domain, too_large, bad_option, cancelled, memory_limit.
 OBLAST_API std::vector<Point> hull(std::span<const Point> contour, const CallOptions& options = {});
 
-/// The convex hull of all regions as one polygon, empty where they have no area: the hull of the hulls of
-/// all contours. Cost: O(n + h log h), h corners of the contours' hulls together.
+/// The convex hull of all regions as one polygon: the hull of the hulls of all contours. It is empty if all points are
+/// collinear. Cost: O(n + h log h) for simple contours whose hulls have h corners in total.
 /// Throws Error: as above, and bad_offsets.
 OBLAST_API RegionSet hull(const RegionView& regions, const CallOptions& options = {});
 

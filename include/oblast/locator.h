@@ -1,4 +1,4 @@
-// Where points lie: regions prepared once, to be asked millions of times.
+// Point-in-region queries: regions are prepared once and then answer any number of queries.
 #pragma once
 
 #include <oblast/error.h>
@@ -14,14 +14,13 @@ namespace oblast {
 
 enum class Location { outside, boundary, inside };
 
-/// Regions under even-odd of all contours: what an overlay or `unite` gives is read so; any other contours may be
-/// given, too. Answers are exact, on every point to the last bit: decided by `orientation`, never by a computed
-/// coordinate.
+/// Regions, filled by even-odd of all contours together. The result of an overlay has this fill. Any other contours are
+/// allowed, too. Answers are exact: only orientation tests decide, never a computed coordinate.
 ///
-/// A copy of the contours is kept, so the caller's arrays may go. May be asked from several threads at once.
-/// Cost: O(n log n) time, O(n log n) memory at worst, about 80 bytes an edge where edges are short. A query takes a
-/// look at one cell of a grid, with a few edges; where many edges crowd in a cell, O(log^2 n), as long as edges meet at
-/// vertices only (which holds for results), and O(n) at worst where they cross.
+/// The locator copies the contours, so the caller may free the arrays. Several threads may use it at once.
+/// Cost to prepare n edges: O(n log n) time; O(n log n) memory in the worst case, about 80 bytes per edge if edges are
+/// short. Cost of a query: it reads one cell of a grid, usually with a few edges. If a cell holds many edges, a query
+/// takes O(log^2 n) if edges meet at vertices only (which holds for results), and O(n) in the worst case if they cross.
 class OBLAST_API Locator {
  public:
   /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit.
@@ -33,9 +32,10 @@ class OBLAST_API Locator {
   /// Throws Error: not_finite, out_of_domain.
   Location locate(const Point& point) const;
 
-  /// locations[i] is that of points[i]; on all cores. Throws Error: precondition where the spans differ in length;
-  /// not_finite and out_of_domain with the vertex; too_large, bad_option, cancelled, memory_limit. Then some of the
-  /// locations are written.
+  /// Writes the location of points[i] to locations[i], on CallOptions::threads threads.
+  /// Throws Error: precondition if the spans differ in length; not_finite and out_of_domain, with the index of the
+  /// point in Place::vertex; too_large, bad_option, cancelled, memory_limit. After an error some of the locations may
+  /// be written.
   void locate(std::span<const Point> points, std::span<Location> locations, const CallOptions& options = {}) const;
 
  private:

@@ -1,5 +1,5 @@
-// Overlays, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers' other algorithms have
-// headers of their own: classics.h, hull.h, layers.h. c.h is the C interface.
+// Includes overlays, triangulation, point-in-region queries, WKT and WKB. The papers' other algorithms have headers of
+// their own: classics.h, hull.h, layers.h. The C interface is c.h.
 #pragma once
 
 #include <oblast/domain.h>

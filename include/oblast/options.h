@@ -1,4 +1,4 @@
-// What calls may be told, and what an overlay reports.
+// The options of calls, and the statistics of an overlay.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@ class Workspace;
 
 enum class Operation { intersection, unite, difference, symmetric_difference };
 
-/// Turns winding numbers into inside or outside.
+/// Decides by winding numbers which points are inside an operand.
 struct FillRule {
   enum class Kind {
-    polygons,  ///< each polygon is the even-odd of its own rings, the operand the union of its polygons
-    at_least,  ///< as `polygons`, but: covered by at least `depth` polygons
-    even_odd,  ///< winding number of all contours together is odd
-    nonzero,   ///< ... is not zero
-    positive,  ///< ... is greater than zero
-    negative,  ///< ... is less than zero
+    polygons,  ///< each polygon is filled by even-odd of its own rings; the operand is the union of its polygons
+    at_least,  ///< as `polygons`, but inside is what at least `depth` polygons cover
+    even_odd,  ///< the winding number of all contours together is odd
+    nonzero,   ///< the winding number of all contours together is not zero
+    positive,  ///< the winding number of all contours together is greater than zero
+    negative,  ///< the winding number of all contours together is less than zero
   };
   Kind kind = Kind::polygons;
   std::int32_t depth = 1;  ///< for `at_least` only: 1 or more
 
-  /// `polygons` and `at_least` read polygons one by one; the others all contours together, as directed.
+  /// True for the rules that use polygons one by one. The others use all contours together, as they are directed.
   constexpr bool by_polygon() const { return kind == Kind::polygons || kind == Kind::at_least; }
 
   static constexpr FillRule polygons() { return {}; }
@@ -37,74 +37,78 @@ struct FillRule {
   friend bool operator==(const FillRule&, const FillRule&) = default;
 };
 
-/// The algorithm that labels the noded edges. All give the same bytes.
+/// The algorithm that labels the noded edges. All engines give the same bytes.
 enum class Engine {
-  leonov_nikitin,  ///< labels carried around vertices and along chains (preprint 46, 1997); the default
+  leonov_nikitin,  ///< carries labels around vertices and along chains (preprint 46, 1997); the default
   vatti,           ///< the scan line of the 2013 paper
-  skvortsov,       ///< constrained Delaunay triangulation, eaten inwards (2002)
+  skvortsov,       ///< a constrained Delaunay triangulation, classified from outside inwards (2002)
 };
 
-/// How a contour that touches itself at a point is written.
+/// How a result represents a contour that touches itself at a point.
 enum class ContourConvention {
-  ogc,             ///< every ring simple: a pinched hole is a shell and a hole; valid in every GIS
-  leonov_nikitin,  ///< the walk hugs one sector of the interior: the pinched hole is one contour
+  ogc,             ///< every ring is simple; a hole that is pinched off becomes a shell and a hole; valid in every GIS
+  leonov_nikitin,  ///< a contour follows one sector of the interior at each vertex; the pinched hole is one contour
 };
 
 /// Which collinear vertices a result keeps.
 enum class CollinearVertices {
-  keep,  ///< input vertices on the result's boundary stay (promise G3a)
-  drop,  ///< the minimal result: vertices exactly on the line between their neighbours are left out
+  keep,  ///< input vertices on the boundary of the result stay (promise G3a)
+  drop,  ///< vertices exactly on the line between their neighbours are left out: the minimal result
 };
 
 /// The numbered stages of the pipeline (ARCHITECTURE.md), for progress and for times.
 enum class Stage { collect, node, label, select, link, assemble };
 inline constexpr int stage_count = 6;
 
-/// What a call did. Filled when Options::statistics points to one.
+/// What an overlay did. A call that succeeds fills it if Options::statistics points to one.
 struct Statistics {
   std::uint64_t input_contours = 0;
   std::uint64_t input_vertices = 0;
   std::uint64_t output_polygons = 0;
   std::uint64_t output_contours = 0;
   std::uint64_t output_vertices = 0;
-  std::uint64_t resolved_polygons = 0;  ///< polygons whose own rings meet, resolved by themselves first
+  std::uint64_t resolved_polygons = 0;  ///< polygons whose own rings meet; they are resolved first
   std::uint64_t intersections = 0;      ///< points at which noding cut an edge, each counted once
-  std::uint64_t rounds = 0;             ///< rounding rounds, the last one (which finds nothing) included
+  std::uint64_t rounds = 0;             ///< rounding rounds, including the last one, which finds nothing
   double largest_displacement = 0;      ///< largest distance of a cut point from its input edge, coordinate units
-  /// The same in units in the last place of the largest coordinate, or of 2^-300 where these are smaller (domain.h).
+  /// The same in units in the last place of the largest coordinate, or in units of 2^-300 if those are smaller
+  /// (domain.h).
   double largest_displacement_ulps = 0;
   double seconds[stage_count] = {};  ///< wall time by stage
 };
 
-/// Asked between pieces of work with the stage that is under way and the fraction of the whole call that is done: it
-/// grows from one question to the next, and is 1 at the last one only, when all is done. It is an estimate. Asked at
-/// most every 5 milliseconds, and on large inputs at least every 0.1 s or so.
+/// The library calls this function while it works. `stage` is the current stage. `fraction` is the estimated share of
+/// the whole call that is done: it grows with every call of the function, and is 1 only in the last one, when all is
+/// done. The function is called at most every 5 milliseconds, and for large inputs about every 0.1 s or more often.
 ///
-/// Called from any thread that works for the call, never from two at a time. Returning false cancels the call: it
-/// throws Error(cancelled) within about as long. What it throws ends the call likewise, and comes out as it is. After
-/// either it is not asked again. It may make other calls of the library, but must not wait for its own call. It runs in
-/// the caller's own floating-point environment. Functions without stages ask with the one that is most like theirs.
+/// Any thread that works for the call may call it, but never two threads at once. If it returns false, the call throws
+/// Error(cancelled) within about 0.1 s. If it throws, the call throws the same exception. In both cases the function is
+/// not called again. It may call the library, but must not wait for the call that it reports on. It runs in the
+/// floating-point environment of the caller. Functions that have no stages report Stage::collect. `triangulate` reports
+/// the stages of the union, then Stage::assemble.
 using Progress = std::function<bool(Stage stage, double fraction)>;
 
-/// What every call may be told, whatever it computes. None of it makes a difference to the result.
+/// The options of every call. None of them changes the result.
 struct CallOptions {
   static constexpr int most_threads = 1024;
 
   int threads = 0;    ///< 1 to most_threads; 0: all cores
-  Progress progress;  ///< empty: nobody is asked
-  /// Memory that calls leave for the next ones (workspace.h), for those who make many; null: they leave none.
+  Progress progress;  ///< empty: no progress is reported
+  /// Memory that calls keep for later calls (workspace.h). Useful for a caller who makes many calls. Null: none is
+  /// kept.
   Workspace* workspace = nullptr;
-  /// The bytes that the call's arrays and its result may take at any moment, else it ends with Error(memory_limit);
-  /// 0: any. What the caller has, what a workspace keeps, stacks and a few small things are not counted.
+  /// The most bytes that the arrays of the call and its result may take at any moment. A call that needs more throws
+  /// Error(memory_limit). 0: no limit. The caller's own arrays, memory that a workspace keeps, stacks and a few small
+  /// objects do not count.
   std::size_t most_bytes = 0;
 };
 
-/// What an overlay may be told. Where statistics or progress are asked for, or a rule, the engine or the collinear
-/// vertices are not the default, every call goes through the stages that they tell of; otherwise `overlay` may take a
-/// fast path with the same bytes (docs/methods.md), whatever `contours` and the other options of the call are.
+/// The options of an overlay. If a fill rule, `engine` or `collinear` is not the default, or if `statistics` or
+/// `progress` is set, the call runs all stages of the pipeline. Otherwise `overlay` may take a fast path
+/// (docs/methods.md), which gives the same bytes.
 struct Options : CallOptions {
-  FillRule fill_a;  ///< rule of the first (or only) operand
-  FillRule fill_b;  ///< rule of the second operand
+  FillRule fill_a;  ///< fill rule of the first (or only) operand
+  FillRule fill_b;  ///< fill rule of the second operand
   Engine engine = Engine::leonov_nikitin;
   ContourConvention contours = ContourConvention::ogc;
   CollinearVertices collinear = CollinearVertices::keep;

@@ -1,4 +1,4 @@
-// Overlay and union: what the library is for.
+// Overlay and union: the main functions of the library.
 #pragma once
 
 #include <oblast/error.h>
@@ -8,32 +8,35 @@
 
 namespace oblast {
 
-/// The overlay of two operands: A op B, where inside and outside of each follow its fill rule.
+/// The overlay of two operands, A op B. The fill rule of each operand decides what is inside it (Options::fill_a,
+/// fill_b).
 ///
-/// Any finite input inside the domain is admitted (see RegionView and domain.h). The result is
-/// closed, canonical and bit-preserving: promises G1 to G4, docs/guarantees.md.
-/// Cost: O((n + k) log n) time and O(n + k) memory, n edges and k meetings of edges.
+/// Any finite coordinates in the domain are allowed, and any contours (see domain.h and RegionView). The result is
+/// closed and canonical, and input vertices keep their bits: promises G1 to G4, docs/guarantees.md.
+/// Cost: expected O((n + k) log n) time and O(n + k) memory for n edges with k meetings. docs/guarantees.md (G6) names
+/// one case that takes longer: bundles of edges within a few units in the last place of each other.
 /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit;
-/// std::bad_alloc; and what Options::progress throws. Whatever is thrown, on whichever thread, it comes out once and as
-/// it is, nothing leaks and the next call is not affected.
+/// std::bad_alloc; and what Options::progress throws. The exception is thrown once, on the caller's thread, even if
+/// another thread raised it. Nothing leaks, and later calls are not affected.
 ///
-/// Calls may run side by side on any threads, on the same input too, as long as nobody writes to it. With
-/// Options::threads 0 a call takes part in the caller's oneTBB arena; it may be made from within his own tasks, also
-/// ones that he cancels: then it ends as it would have. With 1 it stays on the caller's thread.
+/// Several calls may run at the same time on any threads, also on the same input, as long as no thread changes it.
+/// With Options::threads 0 a call works in the caller's oneTBB arena. It may be made in a oneTBB task; if the caller
+/// cancels that task, the call still returns the right result. With Options::threads 1 a call stays on the caller's
+/// thread.
 OBLAST_API RegionSet overlay(const RegionView& a, const RegionView& b, Operation operation,
                              const Options& options = {});
 
-/// The same into `result`, in whose arrays it is put where they have room, so that calls in a row need no new ones. An
-/// operand may be a view of `result` or of a part of it; then the arrays are new. Where something is thrown, `result`
-/// is as it was or empty.
+/// Writes the same overlay to `result`. It reuses the arrays of `result` if they have room, which saves memory
+/// allocations when calls follow one another. An operand may be a view of `result` or of a part of it; then new arrays
+/// are made. If the call throws, `result` is unchanged or empty.
 OBLAST_API void overlay(const RegionView& a, const RegionView& b, Operation operation, const Options& options,
                         RegionSet& result);
 
-/// The union of any number of polygons in one pass; `options.fill_a` is its rule.
-/// `unite(unite(x)) == unite(x)`, bit for bit. Cost and errors as for `overlay`.
+/// The union of any number of polygons in one pass. The fill rule is `options.fill_a`. Uniting a result again does not
+/// change it: `unite(unite(x)) == unite(x)`, bit for bit. Cost and errors as for `overlay`.
 OBLAST_API RegionSet unite(const RegionView& regions, const Options& options = {});
 
-/// The same into `result`, as above.
+/// Writes the same union to `result`, as the `overlay` above does.
 OBLAST_API void unite(const RegionView& regions, const Options& options, RegionSet& result);
 
 }  // namespace oblast

@@ -1,9 +1,9 @@
-// Region sets from points of any type, contour by contour.
+// Builds region sets contour by contour, from points of any type.
 //
 //   oblast::RegionBuilder builder;
-//   builder.add_polygon(shell);                  // one contour, and its holes after it, where there are any
-//   builder.add_polygon(shell, hole, hole);
-//   builder.begin_polygon();                     // or one by one: contours up to the next beginning are one polygon
+//   builder.add_polygon(shell);                  // a polygon without holes
+//   builder.add_polygon(shell, hole, hole);      // a polygon with holes
+//   builder.begin_polygon();                     // or contour by contour, until the next polygon begins
 //   for (const auto& ring : rings) builder.add_contour(ring);
 //   const oblast::RegionSet regions = builder.take();
 #pragma once
@@ -48,38 +48,41 @@ concept PointOfArray = std::is_array_v<P> && std::extent_v<P>
 
 }  // namespace internal
 
-/// What may be a point: members or member functions `x` and `y`; std::array, std::pair, std::tuple and the like, and
-/// plain arrays, whose first two elements are numbers. What follows these (a height) is not looked at.
+/// A type that can be a point. It has members or member functions `x` and `y`; or it is a std::array, std::pair,
+/// std::tuple or similar type, or a plain array, whose first two elements are numbers. Further elements, such as a
+/// height, are ignored.
 template <class P>
 concept AnyPoint = internal::PointOfMembers<P> || internal::PointOfMethods<P> || internal::PointOfTuple<P> ||
     internal::PointOfArray<P>;
 
-/// What may be a contour: whatever a loop over a range takes, with such elements.
+/// A type that can be a contour: a range-based `for` can iterate over it, and its elements are points (AnyPoint).
 template <class R>
 concept AnyContour = requires(const R& range) {
   {std::begin(range) != std::end(range)};
   requires AnyPoint<std::remove_cvref_t<decltype(*std::begin(range))>>;
 };
 
-/// Contours as overlays admit them: closed implicitly (a repeated first point is kept, and does no harm), in any
-/// direction, degenerate ones too. Numbers are taken as they are, or not at all: none is rounded, but of `long double`.
+/// Collects contours into a RegionSet. Contours may have any direction and may be degenerate, as overlays allow. A
+/// contour is closed without a repetition of its first point; a repeated first point is kept and does no harm. Whole
+/// numbers that a double cannot represent are an error, not rounded. Only `long double` is rounded.
 ///
-/// What throws leaves all that was added before as it was.
+/// If a function throws, everything that was added before is unchanged.
 class RegionBuilder {
  public:
-  /// Room for so many; a call of it saves time, not more. Throws std::bad_alloc.
+  /// Reserves memory for so many points, contours and polygons. This only saves time. Throws std::bad_alloc.
   void reserve(std::size_t points, std::size_t contours = 0, std::size_t polygons = 0) {
     regions_.points.reserve(points);
     regions_.contour_ends.reserve(contours);
     regions_.polygon_ends.reserve(polygons);
   }
 
-  /// Contours that are added from now on, up to the next call, are one polygon.
+  /// Begins a polygon: the contours that add_contour adds from now on belong to it. It ends at the next begin_polygon,
+  /// add_polygon or take.
   void begin_polygon() { begun_ = true, open_ = false; }
 
-  /// Adds a contour to the polygon that was begun; where none was, as a polygon of its own. Cost: linear.
-  /// Throws Error, with polygon, contour and vertex: not_finite; out_of_domain, also for whole numbers that no double
-  /// is; too_large.
+  /// Adds a contour to the polygon that was begun. If none was begun, the contour becomes a polygon. Cost: linear.
+  /// Throws Error, with polygon, contour and vertex: not_finite; out_of_domain, also for a whole number that a double
+  /// cannot represent; too_large. Throws std::bad_alloc.
   template <AnyContour Contour>
   void add_contour(const Contour& contour) {
     append(contour);
@@ -87,8 +90,9 @@ class RegionBuilder {
     open_ = true;
   }
 
-  /// A polygon of a shell and its holes, any ranges of points of any types. The next contour that comes alone is a
-  /// polygon of its own. Errors as add_contour; then nothing of the polygon is added.
+  /// Adds a polygon from its shell and its holes. Each may be a different type. A contour that add_contour adds
+  /// afterwards becomes a polygon, unless begin_polygon is called first. Errors as for add_contour; then no part of the
+  /// polygon is added.
   template <AnyContour Shell, AnyContour... Holes>
   void add_polygon(const Shell& shell, const Holes&... holes) {
     const RegionSizes before = sizes();
@@ -103,10 +107,10 @@ class RegionBuilder {
     begun_ = open_ = false;
   }
 
-  /// What was added so far.
+  /// Everything that was added so far.
   const RegionSet& regions() const { return regions_; }
 
-  /// Hands it over; the builder is as new.
+  /// Returns everything that was added, and empties the builder.
   RegionSet take() {
     begun_ = open_ = false;
     return std::exchange(regions_, RegionSet{});
@@ -153,9 +157,10 @@ class RegionBuilder {
       if constexpr (std::numeric_limits<Number>::digits > exact_bits) {
         const auto magnitude = number < 0 ? 0 - static_cast<std::make_unsigned_t<Number>>(number)
                                           : static_cast<std::make_unsigned_t<Number>>(number);
-        // Low bits that are zero cost a double nothing.
+        // A double does not store low bits that are zero.
         if (magnitude != 0 && (magnitude / (magnitude & (0 - magnitude))) >> exact_bits != 0)
-          throw Error(ErrorCode::out_of_domain, "the whole number " + std::to_string(number) + " is no double",
+          throw Error(ErrorCode::out_of_domain,
+                      "a double cannot represent the whole number " + std::to_string(number) + " exactly",
                       place(first));
       }
       return static_cast<double>(number);
@@ -186,7 +191,7 @@ class RegionBuilder {
     }
   }
 
-  /// The points past the last contour become one, of a new polygon or of the last one.
+  /// Makes the points after the last contour a contour, of a new polygon or of the last one.
   void close(bool new_polygon) {
     const RegionSizes before{regions_.contour_ends.empty() ? 0 : regions_.contour_ends.back(),
                              regions_.contour_ends.size(), regions_.polygon_ends.size()};
@@ -204,8 +209,8 @@ class RegionBuilder {
   }
 
   RegionSet regions_;
-  bool begun_ = false;  ///< contours are collected into a polygon
-  bool open_ = false;   ///< which has a contour already
+  bool begun_ = false;  ///< begin_polygon was called
+  bool open_ = false;   ///< the polygon that was begun has a contour
 };
 
 }  // namespace oblast

@@ -1,11 +1,11 @@
-// Regions as flat arrays: what goes into an overlay and what comes out of it.
+// Regions as flat arrays: the input and the output of overlays.
 //
 //   points         p0 p1 p2 p3 | p4 p5 p6 | p7 p8 p9 p10
 //   contour_ends   4, 7, 11          contour c is points [contour_ends[c-1], contour_ends[c])
 //   polygon_ends   2, 3              polygon p is contours [polygon_ends[p-1], polygon_ends[p])
 //
-// A contour is closed implicitly: its last point is joined to its first, which is not repeated
-// (a repeated one is accepted on input). Indices are 32-bit.
+// A contour is closed implicitly: its last point is joined to its first. The first point is not repeated at the end;
+// input may repeat it. Indices are 32-bit.
 //
 //   for (const oblast::PolygonView polygon : regions.polygons())
 //     for (const std::span<const oblast::Point> contour : polygon.contours())
@@ -29,18 +29,17 @@ class ContourRange;
 class PolygonRange;
 class PolygonView;
 
-/// A caller's arrays, viewed without copying them. Any closed contours are admitted: they may cross
-/// themselves and each other, overlap, repeat, nest and touch. With `polygon_ends` empty every
-/// contour is a polygon of its own.
+/// A view of arrays that the caller owns. Nothing is copied. Any contours are allowed: they may cross themselves and
+/// each other, overlap, repeat, nest and touch. If `polygon_ends` is empty, every contour is a polygon.
 ///
-/// A view of a part of larger arrays has their offsets as they are: `first_point` and `first_contour` say what these
-/// count up to where the part begins. Indices that functions here take and give count from the part's own beginning.
+/// A view of a part of larger arrays uses their offsets unchanged. `first_point` and `first_contour` are the offsets at
+/// which the part begins. All member functions count from the beginning of the part.
 struct RegionView {
   std::span<const Point> points;
   std::span<const std::uint32_t> contour_ends;
   std::span<const std::uint32_t> polygon_ends;
-  std::uint32_t first_point = 0;    ///< what contour_ends count from
-  std::uint32_t first_contour = 0;  ///< what polygon_ends count from
+  std::uint32_t first_point = 0;    ///< the value of contour_ends at which `points` begins
+  std::uint32_t first_contour = 0;  ///< the value of polygon_ends at which `contour_ends` begins
 
   std::size_t contour_count() const { return contour_ends.size(); }
   std::size_t polygon_count() const { return polygon_ends.empty() ? contour_ends.size() : polygon_ends.size(); }
@@ -59,7 +58,7 @@ struct RegionView {
     return polygon_ends.empty() ? static_cast<std::uint32_t>(p + 1) : polygon_ends[p] - first_contour;
   }
 
-  /// Contours [begin, end) of these arrays, each a polygon of its own. REQUIRES: begin <= end <= contour_count().
+  /// A view of the contours [begin, end), each as a polygon. REQUIRES: begin <= end <= contour_count().
   RegionView contours_between(std::size_t begin, std::size_t end) const {
     if (begin == end) return {};
     const std::uint32_t from = contour_begin(begin);
@@ -70,16 +69,16 @@ struct RegionView {
   }
 
   PolygonView polygon(std::size_t p) const;  ///< REQUIRES: p < polygon_count()
-  PolygonRange polygons() const;             ///< of PolygonView
-  ContourRange contours() const;             ///< of all polygons; of std::span<const Point>
+  PolygonRange polygons() const;             ///< a range of PolygonView
+  ContourRange contours() const;             ///< a range of std::span<const Point>: the contours of all polygons
 };
 
-/// Walks by index over what `Range::operator[]` gives, and keeps the range with it: a range may be gone before.
+/// An iterator that counts an index for `Range::operator[]`. It holds a copy of the range, so it may outlive the range.
 template <class Range, class Value>
 class IndexIterator {
  public:
   using iterator_concept = std::random_access_iterator_tag;
-  using iterator_category = std::input_iterator_tag;  // elements are made as they are asked for
+  using iterator_category = std::input_iterator_tag;  // operator* returns a value, not a reference
   using difference_type = std::ptrdiff_t;
   using value_type = Value;
   using reference = Value;
@@ -109,7 +108,7 @@ class IndexIterator {
   difference_type index_ = 0;
 };
 
-/// Contours as spans of their points. A few words, copied at no cost; it views the arrays of the caller.
+/// Contours as spans of their points. A view of the caller's arrays: a few words, cheap to copy.
 class ContourRange {
  public:
   using Iterator = IndexIterator<ContourRange, std::span<const Point>>;
@@ -127,7 +126,7 @@ class ContourRange {
   RegionView regions_;
 };
 
-/// One polygon of a region set: a RegionView of it alone, offsets and all, without a copy.
+/// One polygon of a region set, as a RegionView that holds only this polygon. The arrays are not copied.
 class PolygonView {
  public:
   explicit PolygonView(const RegionView& alone) : alone_(alone) {}
@@ -143,6 +142,7 @@ class PolygonView {
   RegionView alone_;
 };
 
+/// Polygons as PolygonViews. A view of the caller's arrays: a few words, cheap to copy.
 class PolygonRange {
  public:
   using Iterator = IndexIterator<PolygonRange, PolygonView>;
@@ -171,9 +171,9 @@ inline PolygonView RegionView::polygon(std::size_t p) const {
 inline PolygonRange RegionView::polygons() const { return PolygonRange(*this); }
 inline ContourRange RegionView::contours() const { return ContourRange(*this); }
 
-/// Owned contours and polygons. As a result of an overlay it is canonical (promise G3): polygons do
-/// not overlap; the first contour of each is its outer one, counter-clockwise; the others are its
-/// holes, clockwise; each contour starts at its lexicographically smallest vertex.
+/// Contours and polygons that own their arrays. The result of an overlay is canonical (promise G3): polygons do not
+/// overlap. The first contour of a polygon is its outer one, counter-clockwise; the others are its holes, clockwise.
+/// Each contour starts at its lexicographically smallest vertex. Contours and polygons are sorted.
 struct RegionSet {
   std::vector<Point> points;
   std::vector<std::uint32_t> contour_ends;
@@ -185,7 +185,7 @@ struct RegionSet {
   PolygonView polygon(std::size_t p) const& { return view().polygon(p); }
   PolygonRange polygons() const& { return view().polygons(); }
   ContourRange contours() const& { return view().contours(); }
-  // Of a set that is gone at the end of the line they would view nothing.
+  // A temporary set ends with its statement, and the view would dangle.
   PolygonView polygon(std::size_t p) const&& = delete;
   PolygonRange polygons() const&& = delete;
   ContourRange contours() const&& = delete;
@@ -193,16 +193,17 @@ struct RegionSet {
   friend bool operator==(const RegionSet&, const RegionSet&) = default;
 };
 
-/// Signed area enclosed by the contours as they are directed (counter-clockwise is positive), in
-/// squared units of the coordinates. For a result this is the area of its regions. Cost: linear. In doubles: off by at
-/// most 2^-50 of the sum of |dx1 dy2| + |dx2 dy1| over the triangles of each contour's fan from its first vertex, so
-/// the area of slivers alone can come out with either sign. Throws Error: not_finite, out_of_domain, too_large,
-/// bad_offsets.
+/// The sum of the signed areas of all contours, in squared units of the coordinates. A counter-clockwise contour counts
+/// positive, a clockwise one negative. For the result of an overlay this is the area of its regions.
+/// Accuracy: the sum is computed in doubles. Divide each contour into triangles from its first vertex, with the edge
+/// vectors (dx1, dy1) and (dx2, dy2). The error is at most 2^-50 times the sum of |dx1 dy2| + |dx2 dy1| over the
+/// triangles. So the area of slivers alone may have the wrong sign. Cost: linear.
+/// Throws Error: not_finite, out_of_domain, too_large, bad_offsets.
 OBLAST_API double signed_area(const RegionView& regions);
 
 }  // namespace oblast
 
-// Their iterators keep what they need. <span> declares the template, and is quicker to compile than <ranges>.
+// The iterators hold a copy of their range. <span> declares the template and compiles faster than <ranges>.
 template <>
 inline constexpr bool std::ranges::enable_borrowed_range<oblast::ContourRange> = true;
 template <>

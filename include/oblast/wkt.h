@@ -11,17 +11,20 @@
 
 namespace oblast {
 
-/// The polygons of one geometry: POLYGON, MULTIPOLYGON, or GEOMETRYCOLLECTION of these, up to 64 deep, with Z, M or ZM
-/// (also written onto the word: POLYGONZ), EMPTY, in capitals or not, with EWKT's "SRID=4326;" before it. Heights,
-/// measures and the SRID are passed over; without Z or M too a point may have two to four numbers. Rings come without
-/// their closing point; rings that are not closed are admitted. Numbers are the nearest doubles.
+/// Reads the polygons of one geometry: a POLYGON, a MULTIPOLYGON, or a GEOMETRYCOLLECTION of these, nested up to 64
+/// levels deep. Any of them may be EMPTY. Letters may be capital or small. The type may have the suffix Z, M or ZM
+/// ("POLYGON Z" or "POLYGONZ"), and EWKT's "SRID=4326;" may stand before it. Z, M and the SRID are ignored. Without a
+/// suffix a point may have two to four numbers. The closing point of a ring is removed; a ring without one is accepted.
+/// Empty rings and empty polygons are left out. Each number becomes the nearest double.
 ///
-/// Throws Error, with Place::byte: bad_wkt where the text is something else, also past its end; not_finite (nan, inf,
-/// what is too large for a double) and out_of_domain, at the number; bad_option, cancelled, memory_limit. Cost: linear.
+/// Cost: linear. Throws Error, with Place::byte: bad_wkt if the text is anything else, or more text follows; not_finite
+/// at nan or inf; out_of_domain at a number outside the domain, also one that is too large or too small for a double.
+/// Throws Error without a place: too_large, bad_option, cancelled, memory_limit.
 OBLAST_API RegionSet read_wkt(std::string_view text, const CallOptions& options = {});
 
-/// POLYGON where there is one, MULTIPOLYGON otherwise, "MULTIPOLYGON EMPTY" of none; rings closed. Numbers have the
-/// fewest digits that read back to the same bits. What has no points is left out. Cost: linear.
+/// Writes a POLYGON if there is exactly one polygon, otherwise a MULTIPOLYGON; "MULTIPOLYGON EMPTY" if there is none.
+/// Rings are closed. Numbers have the fewest digits that read back to the same bits. Contours and polygons without
+/// points are left out. Cost: linear.
 /// Throws Error: bad_offsets, not_finite, out_of_domain, too_large; bad_option, cancelled, memory_limit.
 OBLAST_API std::string to_wkt(const RegionView& regions, const CallOptions& options = {});
 

@@ -1,4 +1,4 @@
-// Memory that calls leave for the next ones.
+// Memory that calls keep for later calls.
 #pragma once
 
 #include <oblast/export.h>
@@ -14,26 +14,28 @@ class KeptBlocks;
 KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
 }  // namespace internal
 
-/// Memory that calls leave behind for the next ones, so that these need not ask the system, whose pages cost a call on
-/// some hundred thousand vertices about a quarter of its time. Given in Options::workspace to call after call, it makes
-/// no difference to the results. Calls on a few dozen vertices do without it; so do calls on more vertices than it has
-/// 64 bytes for, which empty it.
+/// Memory that calls keep for later calls. A caller who makes many calls creates one workspace and passes it to each
+/// call in Options::workspace. Calls then get fewer pages from the system; for a call on some hundred thousand
+/// vertices, this takes about a quarter of the time. A workspace does not change results. Two kinds of calls do not use
+/// it: calls on up to 128 vertices, and calls on more vertices than `most_bytes` / 64. The latter empty it.
 ///
-/// Calls on any threads may share one at the same time, under a lock; one a thread is best. clear() and kept_bytes()
-/// may be called meanwhile, but to move or destroy it may not. It must outlive the calls, not their results.
+/// Calls on several threads may share a workspace at the same time; a lock protects it. One workspace per thread is
+/// faster. During calls, clear() and kept_bytes() are allowed, but moving or destroying the workspace is not. The
+/// workspace must outlive the calls, but not their results.
 class OBLAST_API Workspace {
  public:
   static constexpr std::size_t usual_bytes = std::size_t{16} << 20;
 
-  /// Keeps up to `most_bytes` between calls, and within a call beyond what is in use. Throws std::bad_alloc.
+  /// The workspace keeps up to `most_bytes` bytes that are not in use, between calls and during calls. Throws
+  /// std::bad_alloc.
   explicit Workspace(std::size_t most_bytes = usual_bytes);
   Workspace(Workspace&&) noexcept;
   Workspace& operator=(Workspace&&) noexcept;
   ~Workspace();
 
-  /// Bytes kept now, at most what the constructor was told.
+  /// The number of bytes that are kept now, at most `most_bytes`.
   std::size_t kept_bytes() const;
-  /// Gives them all back to the system.
+  /// Frees all memory that is kept.
   void clear();
 
  private:

@@ -1,6 +1,8 @@
-// What exact arithmetic needs of the compiler: every operation in the precision of its type, rounded on its own.
+// Checks what exact arithmetic requires of the compiler: every operation has the precision of its type, and is rounded
+// separately.
 //
-// That no multiplication is fused with an addition cannot be asked here: src/CMakeLists.txt says -ffp-contract=off.
+// The preprocessor cannot test whether multiplications are fused with additions; src/CMakeLists.txt sets
+// -ffp-contract=off.
 #pragma once
 
 #include <cfloat>

@@ -1,4 +1,4 @@
-// Blocks of arrays for containers with a memory resource: counted as all others are.
+// A memory resource for containers. Its blocks count towards the memory limit, as those of all arrays do.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace oblast::internal {
 
 class BlockResource : public std::pmr::memory_resource {
  private:
-  // REQUIRES of both: no alignment beyond that of operator new.
+  // REQUIRES, for both functions: the alignment is at most that of operator new.
   void* do_allocate(std::size_t bytes, std::size_t) override { return take_block(bytes); }
   void do_deallocate(void* block, std::size_t bytes, std::size_t) override { give_block_back(block, bytes); }
   bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }

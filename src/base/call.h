@@ -1,15 +1,15 @@
-// The context of one call of the library: what must be the same on every thread that works for it.
+// The context of one call of the library: the state that every thread that works for it shares.
 //
-//   Call           of one call, made on the caller's stack
-//   WorkingFor     while it lives, this thread works for a call: Call::current(). The loops of parallel.h make one in
-//                  every task, so whatever has to be set on each thread is set there
-//   poll()         whether to go on: in every loop that may be long
-//   Steps          the same in a sequential loop, with progress
+//   Call           the state of one call, on the caller's stack
+//   WorkingFor     while it exists, this thread works for a call, Call::current(). The loops of parallel.h make one in
+//                  every task; it sets everything that must be set on each thread
+//   poll()         ends the work if the call was stopped; called in every loop that may be long
+//   Steps          the same for a sequential loop, with progress
 //
-// How a call fails. What is thrown in a task is kept in the Call, the first of all (Call::attempt); from then on
-// stopped() is true, and every other task of the call ends by Stopped at its next poll. A loop whose bodies did not all
-// run to their end throws, so nobody goes on with arrays that were not filled. The outermost frame (run_call) throws
-// what was kept: once, and as it was thrown.
+// How a call fails. The Call keeps the first exception that a task throws (Call::attempt). Then stopped() is true, and
+// every other task of the call ends with Stopped at its next poll. A loop that has not run all its bodies completely
+// throws, so no code continues with arrays that were not filled. The outermost frame (run_call) throws the exception
+// that was kept, once.
 #pragma once
 
 #include <atomic>
@@ -35,25 +35,25 @@ class Call {
   Call& operator=(const Call&) = delete;
 
   // Set before the work begins.
-  Control* control = nullptr;    ///< null: nobody asks
-  KeptBlocks* blocks = nullptr;  ///< of its workspace; null: it has none
-  CallMemory* memory =
-      nullptr;  ///< of a small call, which stays on its thread, clear of the scheduler; null: not small
-  MemoryBudget* budget = nullptr;  ///< null: it may have any memory
+  Control* control = nullptr;      ///< null: no progress, no cancelling
+  KeptBlocks* blocks = nullptr;    ///< the blocks of its workspace; null: it has none
+  CallMemory* memory = nullptr;    ///< the memory of a small call, which stays on its thread, without the scheduler;
+                                   ///< null: not a small call
+  MemoryBudget* budget = nullptr;  ///< null: no memory limit
   int cores = 1;                   ///< how many threads may work for it
 
-  /// The one that this thread works for; null: none.
+  /// The call that this thread works for, or null.
   static Call* current() { return current_; }
 
   bool stopped() const { return stopped_.load(std::memory_order_relaxed); }
 
-  /// Throws where the call is to end: Stopped, or what the caller's progress function made of it.
+  /// Throws if the call must end: Stopped, or the exception that the progress function causes.
   void poll() {
     if (stopped()) throw Stopped{};
     if (control) control->checkpoint();
   }
 
-  /// Does work and keeps what it throws. It does not begin once the call has stopped.
+  /// Runs work() and keeps an exception that it throws. Does nothing if the call was stopped.
   template <class Work>
   void attempt(const Work& work) noexcept {
     if (stopped()) return;
@@ -66,7 +66,7 @@ class Call {
     }
   }
 
-  /// REQUIRES: every thread but this one has left the call. Throws what was kept, where there is something.
+  /// Throws the exception that was kept, if any. REQUIRES: all other threads have left the call.
   void rethrow() {
     if (!stopped()) return;
     if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
@@ -89,7 +89,7 @@ class Call {
   std::exception_ptr error_;
 };
 
-/// While it lives, this thread works for a call, in the floating-point environment that exact arithmetic needs.
+/// While it exists, this thread works for a call, in the floating-point environment that exact arithmetic requires.
 class WorkingFor {
  public:
   explicit WorkingFor(Call& call) : outer_(Call::current_) { Call::current_ = &call; }
@@ -98,12 +98,12 @@ class WorkingFor {
   ~WorkingFor() { Call::current_ = outer_; }
 
  private:
-  Call* outer_;  ///< of a task of another call, or of a function that makes use of another
+  Call* outer_;  ///< the call for which this thread worked before: of another task, or of a function that calls another
   WithFloatingPoint modes_;
   NoShare no_share_;
 };
 
-/// While it lives, this thread runs the caller's own function, in the caller's environment, and works for no call.
+/// While it exists, this thread runs the caller's function, in the caller's environment, and works for no call.
 class WorkingForCaller {
  public:
   explicit WorkingForCaller(const FloatingPoint& callers) : outer_(Call::current_), modes_(callers) {
@@ -119,12 +119,12 @@ class WorkingForCaller {
   NoShare no_share_;
 };
 
-/// Throws where the call that this thread works for is to end. Cheap enough for every few hundred edges.
+/// Throws if the call that this thread works for must end. Cheap enough for every few hundred edges.
 inline void poll() {
   if (Call* const call = Call::current()) call->poll();
 }
 
-/// In a sequential loop of short steps, so many (0: not known): called at each of them.
+/// Counts the steps of a sequential loop of short steps. Called at each of them. `count`: their number, 0 if unknown.
 class Steps {
  public:
   explicit Steps(std::size_t count = 0, std::size_t between_polls = tuning::steps_a_poll)

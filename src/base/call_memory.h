@@ -1,9 +1,9 @@
-// Memory of a call.
+// The memory of a call.
 //
-// A call of a few dozen edges makes some eighty small arrays, and to ask the system for each takes a fifth of its time.
-// So a small call brings its memory with it, and what is freed is taken again by the next array of about that size.
-// Such a call stays on its thread, so nothing there is shared. When the memory is used up, and in larger calls, arrays
-// come from the system; long ones from the call's workspace, where it has one (kept_blocks.h).
+// A call on a few dozen edges makes some eighty small arrays. Getting each from the system takes a fifth of its time.
+// So a small call has memory on its stack, and a freed array is reused by the next one of about the same size. Such a
+// call stays on its thread, so nothing is shared. If this memory is used up, and in larger calls, arrays come from the
+// system, or, if they are long, from the workspace of the call (kept_blocks.h).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace oblast::internal {
 
-// The address sanitizer sees what is wrong within the system's blocks only.
+// The address sanitizer finds faults only in blocks of the system.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool sanitized = true;
 #elif defined(__has_feature)
@@ -32,8 +32,8 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
-/// The memory of one small call (Call::memory), for the thread that makes it. Nothing outlives it: what a call returns
-/// is made of plain vectors.
+/// The memory of one small call (Call::memory), used by one thread. No array outlives it: results of calls are plain
+/// vectors.
 class CallMemory {
  public:
   CallMemory() = default;
@@ -41,13 +41,13 @@ class CallMemory {
   CallMemory& operator=(const CallMemory&) = delete;
   ~CallMemory() = default;
 
-  /// Of the small call that this thread is in; null in none.
+  /// The memory of the small call that this thread works for, or null.
   static CallMemory* current() {
     const Call* const call = Call::current();
     return call ? call->memory : nullptr;
   }
 
-  /// Null where it is used up.
+  /// Null if the memory is used up.
   void* take(std::size_t bytes) {
     if (sanitized) return nullptr;
     const std::size_t size_class = size_class_of(bytes);
@@ -62,7 +62,7 @@ class CallMemory {
     return memory_.data() + used_ - size;
   }
 
-  /// False where it is not from here.
+  /// False if the block is not from this memory.
   bool give_back(void* block, std::size_t bytes) {
     const std::uintptr_t offset =
         reinterpret_cast<std::uintptr_t>(block) - reinterpret_cast<std::uintptr_t>(memory_.data());
@@ -85,7 +85,7 @@ class CallMemory {
 
   std::size_t used_ = 0;
   std::array<Freed*, class_count> freed_{};
-  alignas(64) std::array<std::byte, capacity> memory_;  // not written before it is used
+  alignas(64) std::array<std::byte, capacity> memory_;  // not initialised
 };
 
 template <class T>
@@ -113,7 +113,7 @@ class CallAllocator {
   friend bool operator==(const CallAllocator&, const CallAllocator&) { return true; }
 };
 
-/// A vector that lives no longer than the call it is made in.
+/// A vector that does not outlive the call in which it is made.
 template <class T>
 using Array = std::vector<T, CallAllocator<T>>;
 

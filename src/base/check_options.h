@@ -1,4 +1,4 @@
-// Options and enumerators out of range are Error(bad_option), in every public function.
+// Checks options and enumerators: in every public function a value out of range is Error(bad_option).
 #pragma once
 
 #include <oblast/error.h>
@@ -13,8 +13,9 @@ template <class E>
 void check_enumerator(E value, E last, const char* type) {
   const int number = static_cast<int>(value);
   if (number < 0 || number > static_cast<int>(last)) [[unlikely]]
-    throw Error(ErrorCode::bad_option,
-                std::string(type) + '(' + std::to_string(number) + ") is none of its enumerators");
+    throw Error(ErrorCode::bad_option, std::string(type) + '(' + std::to_string(number) +
+                                           ") is not an enumerator; the values are 0 to " +
+                                           std::to_string(static_cast<int>(last)));
 }
 
 inline void check_operation(Operation operation) {
@@ -24,17 +25,18 @@ inline void check_operation(Operation operation) {
 inline void check_options(const CallOptions& options) {
   if (options.threads < 0 || options.threads > CallOptions::most_threads) [[unlikely]]
     throw Error(ErrorCode::bad_option, "threads is " + std::to_string(options.threads) +
-                                           "; it must be 0 (all cores) to " +
+                                           "; it must be 0 (all cores), or from 1 to " +
                                            std::to_string(CallOptions::most_threads));
 }
 
 inline void check_fill_rule(const FillRule& rule) {
   check_enumerator(rule.kind, FillRule::Kind::negative, "FillRule::Kind");
   if (rule.kind == FillRule::Kind::at_least && rule.depth < 1) [[unlikely]]
-    throw Error(ErrorCode::bad_option, "at_least needs a depth of 1 or more; it is " + std::to_string(rule.depth));
+    throw Error(ErrorCode::bad_option,
+                "FillRule::depth is " + std::to_string(rule.depth) + "; for at_least it must be 1 or more");
 }
 
-/// Those of an overlay, CallOptions left out.
+/// Checks the options of an overlay, without its CallOptions.
 inline void check_overlay_options(const Options& options) {
   check_fill_rule(options.fill_a);
   check_fill_rule(options.fill_b);

@@ -1,4 +1,4 @@
-// Disjoint sets of indices: union by index, paths halved.
+// Disjoint sets of indices: union by index, with path halving.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@ class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
-  /// The smallest index of the set, which stands for it.
+  /// The representative of the set: its smallest index.
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The smaller one becomes the root, so roots do not depend on the order of the calls.
+  /// Unites two sets. The smaller root becomes the root, so roots do not depend on the order of the calls.
   void unite(std::uint32_t i, std::uint32_t j) {
     i = find(i);
     j = find(j);

@@ -1,14 +1,14 @@
-// Fetching what will be needed soon into the caches, where the processor cannot foresee it.
+// Prefetches memory that will be used soon, if the processor cannot predict the access.
 #pragma once
 
 #include <cstddef>
 
 namespace oblast::internal {
 
-/// It is advice: nothing depends on it but time.
+/// A hint: only the time depends on it.
 inline void fetch(const void* address) {
   __builtin_prefetch(address);
-  // A function that does nothing but this has no effect, says the compiler (g++ 12), and leaves out the call of it.
+  // Without this, g++ 12 considers the function to have no effect, and removes calls of it.
   asm volatile("");
 }
 inline void fetch_to_write(const void* address) {
@@ -16,7 +16,7 @@ inline void fetch_to_write(const void* address) {
   asm volatile("");
 }
 
-/// An element of an array with the ones beside it.
+/// Prefetches an element of an array, with its neighbours in the cache line.
 template <class Items>
 void fetch_around(const Items& items, std::size_t index) {
   fetch(&items[index - (index > 0)]);

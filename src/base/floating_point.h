@@ -1,13 +1,13 @@
-// The floating-point environment that exact arithmetic needs, whatever other code of the process has set.
+// The floating-point environment that exact arithmetic requires, whatever other code of the process has set.
 //
-// Expansions and filters are right where every operation is rounded to nearest and nothing small is replaced by 0. Code
-// built with -ffast-math sets flush-to-zero and denormals-are-zero when it is loaded, other code changes the rounding
-// mode or lets exceptions trap; each of them breaks the predicates silently. So a call sets the default on every thread
-// that works for it, and leaves what it found there: modes, traps and flags.
+// Expansions and filters are right if every operation is rounded to nearest and no small number is replaced by 0. Code
+// built with -ffast-math sets flush-to-zero and denormals-are-zero when it is loaded. Other code changes the rounding
+// mode or enables traps. Each of these breaks the predicates silently. So a call sets the default on every thread that
+// works for it, and restores the previous environment at the end: modes, traps and flags.
 //
-// The compiler does not know that arithmetic depends on the environment. Reading and writing it are barriers to
-// memory, so what is computed from memory and goes to memory stays inside; what goes through registers needs a function
-// that is not inlined (public_call.h).
+// The compiler does not know that arithmetic depends on the environment. Reading and writing it are memory barriers, so
+// computations from memory to memory stay between them. For computations in registers, the function must not be inlined
+// (public_call.h).
 #pragma once
 
 #if !defined(__SSE2__) && !defined(__aarch64__)
@@ -22,10 +22,10 @@ namespace oblast::internal {
 
 #if defined(__SSE2__)
 
-/// MXCSR. In x87 registers nothing is computed.
+/// The register MXCSR. Nothing is computed in x87 registers.
 class FloatingPoint {
  public:
-  /// To nearest, nothing trapped, no small number replaced.
+  /// Rounding to nearest, no traps, no small number replaced by 0.
   static FloatingPoint default_modes() { return FloatingPoint(0x1f80); }
   static FloatingPoint current() {
     std::uint32_t word;
@@ -34,7 +34,7 @@ class FloatingPoint {
   }
   void set() const { asm volatile("ldmxcsr %0" : : "m"(word_) : "memory"); }
 
-  /// But for the flags of what happened.
+  /// Compares everything except the status flags.
   bool same_modes(const FloatingPoint& o) const { return ((word_ ^ o.word_) & ~std::uint32_t{0x3f}) == 0; }
   friend bool operator==(const FloatingPoint&, const FloatingPoint&) = default;
 
@@ -46,7 +46,7 @@ class FloatingPoint {
 
 #elif defined(__aarch64__)
 
-/// FPCR, the modes, and FPSR, the flags.
+/// The registers FPCR (modes) and FPSR (flags).
 class FloatingPoint {
  public:
   static FloatingPoint default_modes() { return FloatingPoint(0, 0); }
@@ -72,7 +72,7 @@ class FloatingPoint {
 
 #else
 
-/// What <cfenv> knows: an environment cannot be compared, so it is always set.
+/// With <cfenv>. Environments cannot be compared, so the environment is always set.
 class FloatingPoint {
  public:
   static FloatingPoint default_modes() { return FloatingPoint(true); }
@@ -95,8 +95,8 @@ class FloatingPoint {
 
 #endif
 
-/// While it lives, this thread has the modes of `wanted`; then all that it had before, flags too. Costs two reads of a
-/// register, and two writes where the modes differ.
+/// While it exists, this thread has the modes of `wanted`. Then it restores everything, including flags. Cost: two
+/// reads of a register, and two writes if the modes differ.
 class WithFloatingPoint {
  public:
   explicit WithFloatingPoint(const FloatingPoint& wanted = FloatingPoint::default_modes())
@@ -115,8 +115,8 @@ class WithFloatingPoint {
   FloatingPoint found_;
 };
 
-/// The same with the default modes, but flags stay as the work leaves them: for work of some ten nanoseconds without a
-/// call (Locator::locate of one point), of which reading the flags again takes a third.
+/// The same with the default modes, but the flags are not restored. For work of some ten nanoseconds without a Call
+/// (Locator::locate of one point), in which reading the flags again takes a third of the time.
 class WithDefaultModes {
  public:
   WithDefaultModes() : found_(FloatingPoint::current()) {

@@ -1,4 +1,4 @@
-// Counts to 32-bit indices.
+// Converts counts to 32-bit indices.
 #pragma once
 
 #include <oblast/error.h>
@@ -17,13 +17,13 @@ namespace oblast::internal {
               {operand});
 }
 
-/// Throws Error(too_large), which says of what there are too many, where there are more than `most`.
+/// Throws Error(too_large), whose message says what there are too many of, if `count` is more than `most`.
 inline void check_count(std::size_t count, const char* what, std::size_t most = most_indices) {
   if (count > most) [[unlikely]]
     throw_too_many(what, most);
 }
 
-/// The count as an index past the last one. Throws as check_count.
+/// The count as the index past the last element. Throws as check_count.
 inline std::uint32_t checked_index(std::size_t count, const char* what, std::size_t most = most_indices) {
   check_count(count, what, most);
   return static_cast<std::uint32_t>(count);

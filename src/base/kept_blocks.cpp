@@ -16,8 +16,8 @@ constexpr std::size_t shortest = tuning::shortest_kept_block;
 }  // namespace
 
 struct alignas(__STDCPP_DEFAULT_NEW_ALIGNMENT__) KeptBlocks::Header {
-  KeptBlocks* owner;  ///< null: the system's
-  std::size_t bytes;  ///< with the header
+  KeptBlocks* owner;  ///< null: the system
+  std::size_t bytes;  ///< including the header
 };
 
 KeptBlocks::KeptBlocks(std::size_t most_bytes) : most_bytes_(most_bytes) { free_.reserve(most_bytes / shortest + 1); }
@@ -39,7 +39,7 @@ void KeptBlocks::drop_oldest() {
   ::operator delete(header);
 }
 
-/// The shortest one that is long enough; null where there is none.
+/// The shortest block that is long enough, or null.
 KeptBlocks::Header* KeptBlocks::take(std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   auto best = free_.end();
@@ -62,7 +62,7 @@ void KeptBlocks::keep(Header* header) {
   while (bytes_ > most_bytes_) drop_oldest();
 }
 
-/// Whoever counts has counted it.
+/// The caller has counted the bytes, if they count.
 void* take_uncounted_block(std::size_t bytes) {
   if (bytes < shortest) return ::operator new(bytes);
   const std::size_t with_header = bytes + sizeof(KeptBlocks::Header);
@@ -99,7 +99,7 @@ void give_block_back(void* block, std::size_t bytes) {
 
 KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices) {
   KeptBlocks* const blocks = workspace ? workspace->blocks_.get() : nullptr;
-  // The largest arrays alone have some thirty bytes a vertex.
+  // The largest arrays alone take some thirty bytes per vertex.
   constexpr std::size_t bytes_a_vertex = 64;
   if (blocks && vertices > blocks->most_bytes() / bytes_a_vertex) {
     blocks->clear();

@@ -1,7 +1,7 @@
-// Long blocks that calls leave for the next ones: the memory of a workspace.
+// The memory of a workspace: long blocks that calls keep for later calls.
 //
-// Each long block knows by its header whose it is, so any thread may free it. Those of a workspace go back to it, and
-// are taken again by arrays that they fit; the rest is the system's.
+// The header of a long block names its owner, so any thread may free it. A block of a workspace goes back to the
+// workspace, and is reused for arrays that fit. Other blocks go back to the system.
 #pragma once
 
 #include <oblast/workspace.h>
@@ -36,18 +36,18 @@ class KeptBlocks {
   std::size_t most_bytes_;
   mutable std::mutex mutex_;
   std::size_t bytes_ = 0;
-  std::vector<Header*> free_;  ///< the oldest first; has room for all that there can be
+  std::vector<Header*> free_;  ///< the oldest first; has capacity for the largest possible number
 };
 
-/// Memory of an array: of the workspace of the call that this thread works for, where there is one and the array is
-/// long, or the system's; counted where the call has a limit (memory_budget.h). Throws std::bad_alloc and
+/// Memory for an array. If the array is long and the call that this thread works for has a workspace, from the
+/// workspace; otherwise from the system. Counted if the call has a limit (memory_budget.h). Throws std::bad_alloc and
 /// Error(memory_limit).
 void* take_block(std::size_t bytes);
-/// REQUIRES: the same size.
+/// REQUIRES: `bytes` is the size that was given to take_block.
 void give_block_back(void* block, std::size_t bytes);
 
-/// What a call on so many vertices has of a workspace: null where there is none, or where it is too small to help. Then
-/// it is emptied, for the call will need the memory.
+/// The blocks of a workspace for a call on so many vertices. Null if there is no workspace, or if it is too small to
+/// help; then it is emptied, because the call will need the memory.
 KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
 
 }  // namespace oblast::internal

@@ -1,8 +1,8 @@
 // Large pages for memory that is about to be filled.
 //
-// A new page costs the system about as much as inserting a dozen points into a triangulation, and a page of 4 KiB holds
-// 128 triangles; and a walk over scattered elements looks up a page at every step. So where arrays grow long, pages of
-// 2 MiB are asked for. It is advice: nothing depends on it but time.
+// A new page takes the system about as long as inserting a dozen points into a triangulation, and a page of 4 KiB holds
+// 128 triangles. A walk over scattered elements looks up a page at every step. So long arrays request pages of 2 MiB.
+// This is a hint: only the time depends on it.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +20,11 @@
 
 namespace oblast::internal {
 
-/// Leaves new elements as they are until they are written.
+/// An allocator that does not initialise new elements.
 template <class T>
 class UninitializedAllocator : public CallAllocator<T> {
  public:
-  // Elements that are copied bit by bit and not destroyed begin to live with their memory.
+  // The lifetime of trivially copyable and destructible elements begins with their memory.
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
   template <class U>
@@ -42,16 +42,16 @@ class UninitializedAllocator : public CallAllocator<T> {
   }
 };
 
-/// An array that is resized at no cost, so that what fills it, on all cores, is the first to touch its pages. What is
-/// resized holds anything until then.
+/// An array whose resize costs nothing: the code that fills it, on all cores, is the first to touch its pages. Until
+/// then new elements have no defined value.
 template <class T>
 using LargeArray = std::vector<T, UninitializedAllocator<T>>;
 
-/// Reserves `count` elements in large pages where the system has them.
+/// Reserves `count` elements in large pages, if the system has them.
 template <class T, class Allocator>
 void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count) {
   if (!items.empty() && items.capacity() < count) {
-    // What is there is moved when the pages are asked for already.
+    // The elements are moved after the pages were requested.
     std::vector<T, Allocator> larger;
     reserve_in_large_pages(larger, count);
     larger.assign(items.begin(), items.end());
@@ -64,7 +64,8 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
   ask_for_large_pages(begin, begin + count * sizeof(T));
 }
 
-/// The same, and makes them. All cores fetch the new pages first, since the first touch of one costs most.
+/// The same, and makes the elements. All cores touch the new pages first, because the first touch is the most
+/// expensive.
 template <class T, class Allocator>
 void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
   if (count * sizeof(T) < tuning::large_array_bytes) {
@@ -87,7 +88,7 @@ void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
   items.resize(count);
 }
 
-/// The same, and fills them, on all cores.
+/// The same, and fills the elements, on all cores.
 template <class T>
 void fill_in_large_pages(LargeArray<T>& items, std::size_t count, const T& value) {
   resize_in_large_pages(items, count);

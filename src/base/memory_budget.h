@@ -1,8 +1,8 @@
-// How much memory a call may have: CallOptions::most_bytes.
+// The memory limit of a call: CallOptions::most_bytes.
 //
-// Blocks of arrays are counted where they are taken and given back (take_block), by one atomic number a call; results,
-// whose arrays are the caller's, by a Charge while the call holds them. Calls without a limit count nothing, and small
-// calls only what their own memory does not hold.
+// Blocks of arrays are counted when they are taken and given back (take_block), with one atomic number per call.
+// Results, whose arrays belong to the caller, are counted by a Charge while the call holds them. Calls without a limit
+// count nothing. Small calls count only the blocks that their own memory cannot hold.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -22,13 +22,13 @@ class MemoryBudget {
   MemoryBudget(const MemoryBudget&) = delete;
   MemoryBudget& operator=(const MemoryBudget&) = delete;
 
-  /// Of the call that this thread works for; null where there is no limit.
+  /// The budget of the call that this thread works for; null if it has no limit.
   static MemoryBudget* current() {
     const Call* const call = Call::current();
     return call ? call->budget : nullptr;
   }
 
-  /// Throws Error(memory_limit), and counts nothing then.
+  /// Counts the bytes. If they exceed the limit, counts nothing and throws Error(memory_limit).
   void take(std::size_t bytes) {
     if (used_.fetch_add(bytes, std::memory_order_relaxed) + bytes > most_bytes_) [[unlikely]]
       refuse(bytes);
@@ -44,7 +44,7 @@ class MemoryBudget {
   std::atomic<std::size_t> used_ = 0;
 };
 
-/// Bytes that are not a block of an array, counted while this lives: of a result. Throws Error(memory_limit).
+/// Counts bytes of a result, which are not blocks of an array, while it exists. Throws Error(memory_limit).
 class Charge {
  public:
   Charge() = default;
@@ -61,7 +61,7 @@ class Charge {
     if (budget_) budget_->give_back(bytes_);
   }
 
-  /// It stays counted when this is gone.
+  /// The bytes stay counted after this object is destroyed.
   void keep() { budget_ = nullptr; }
 
  private:

@@ -1,16 +1,15 @@
-// What the system is told of the pages of memory that arrays are in. It is advice: nothing depends on it but time and
-// memory.
+// Hints to the system about the pages of arrays. Only time and memory depend on them.
 #pragma once
 
 #include <cstddef>
 
 namespace oblast::internal {
 
-/// Pages that lie whole in [begin, end), which are about to be filled, shall be large.
+/// Requests large pages for the pages that lie completely in [begin, end), which is about to be filled.
 void ask_for_large_pages(char* begin, const char* end);
 
-/// Nothing in [begin, end) is needed any more: large pages that lie whole in it go back to the system, and come again
-/// at their next use.
+/// Gives the large pages that lie completely in [begin, end) back to the system. The contents of the range are lost;
+/// the next use gets new pages.
 void release_pages(char* begin, const char* end);
 
 }  // namespace oblast::internal

@@ -1,16 +1,16 @@
-// Work on all cores: the only place of the library that calls oneTBB (tools/lint sees to it).
+// Work on all cores. Only this file calls oneTBB (tools/lint checks this).
 //
-//   run_call                          a call's work, on as many threads as it may have
+//   run_call                          runs the work of a call, on the threads that it may use
 //   for_ranges, for_numbered_ranges   loops over ranges of indices
 //   parallel_sort
-//   TaskGroup                         tasks that give rise to others
-//   PerThread                         an object a thread
-//   isolated                          a thread that waits in here begins nothing from outside
+//   TaskGroup                         tasks that can start other tasks
+//   PerThread                         one object per thread
+//   isolated                          a thread that waits inside starts no task from outside
 //
-// A loop that returns has run all of its bodies; otherwise it throws (call.h). oneTBB's own way is not used: where a
-// task throws, it cancels the group, and loops nested in other tasks then return without having run their bodies, as if
-// they had. So nothing is thrown into oneTBB, and each loop has a context of its own that nobody else can cancel: no
-// other loop of the call, and no caller whose own tasks call the library.
+// A loop that returns has run all of its bodies; otherwise it throws (call.h). oneTBB's own handling of exceptions is
+// not used: if a task throws, oneTBB cancels the group, and loops nested in other tasks return without having run all
+// bodies. So nothing is thrown into oneTBB, and each loop has a context of its own. Neither another loop of the call
+// nor a caller whose tasks call the library can cancel it.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -30,8 +30,8 @@
 
 namespace oblast::internal {
 
-/// Does the work of a call on up to `threads` threads (0: all of those that the caller's arena has), this one among
-/// them, and throws what it threw. With one thread nothing is asked of the scheduler.
+/// Runs the work of a call on up to `threads` threads, including this one (0: all threads of the caller's arena), and
+/// throws what it throws. With one thread, the scheduler is not used.
 template <class Work>
 void run_call(Call& call, int threads, const Work& work) {
   const auto whole = [&] {
@@ -44,14 +44,14 @@ void run_call(Call& call, int threads, const Work& work) {
   if (threads == 1)
     whole();
   else if (threads == 0)
-    // A thread that waits for others of this call does nothing else of the caller's meanwhile.
+    // A thread that waits for other threads of this call runs no other tasks of the caller.
     tbb::this_task_arena::isolate(whole);
   else
     tbb::task_arena(threads).execute(whole);
   call.rethrow();
 }
 
-/// The same for work that is in no call, as where a test calls a stage by itself; in a call nothing but work().
+/// The same for work outside of a call, such as a test that calls a single stage. Inside a call it only runs work().
 template <class Work>
 void within_call(const Work& work) {
   if (Call::current()) return work();
@@ -59,13 +59,13 @@ void within_call(const Work& work) {
   run_call(call, 0, work);
 }
 
-/// On how many cores loops work: on one in a small call.
+/// The number of cores that loops use. One in a small call.
 inline std::size_t core_count() {
   const Call* const call = Call::current();
   return static_cast<std::size_t>(call ? call->cores : tbb::this_task_arena::max_concurrency());
 }
 
-/// A thread that waits within work() begins no task from outside of it: waits would nest.
+/// Runs work(). A thread that waits in it starts no task from outside, because waits would nest.
 template <class Work>
 void isolated(const Work& work) {
   if (core_count() == 1)
@@ -76,7 +76,7 @@ void isolated(const Work& work) {
 
 namespace detail {
 
-/// Ranges of one task, no longer than the grain, so that each call of the body is short.
+/// Divides the range of a task into ranges no longer than the grain, so each call of the body is short.
 template <class Body>
 void run_ranges(Call& call, const LoopShare& share, std::size_t begin, std::size_t end, std::size_t grain,
                 const Body& body) {
@@ -107,8 +107,8 @@ void share_ranges(Call& call, std::size_t count, std::size_t grain, const Body& 
 
 }  // namespace detail
 
-/// Calls body(begin, end) for ranges of [0, count) of at most `grain` indices, side by side where there are more. A
-/// small call stays clear of the scheduler, whose start costs as much as overlaying a few dozen edges.
+/// Calls body(begin, end) for ranges of at most `grain` indices of [0, count), in parallel if there are several. A
+/// small call does not use the scheduler, because its start takes as long as the overlay of a few dozen edges.
 /// REQUIRES: grain > 0.
 template <class Body>
 void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
@@ -124,17 +124,17 @@ void for_ranges(std::size_t count, std::size_t grain, const Body& body) {
   }
 }
 
-/// So many of `count` indices that have about tuning::parts_a_task of `parts` parts: the grain of a loop over parts, as
-/// the vertices of chains, where they may be many to an index or few.
+/// The grain of a loop over `count` indices with `parts` parts in total, such as chains with their vertices: the number
+/// of indices that have about tuning::parts_a_task parts.
 constexpr std::size_t grain(std::size_t count, std::size_t parts) {
   return 1 + tuning::parts_a_task * count / (count + parts + 1);
 }
 
-/// How many ranges of `size` indices, the last of them shorter, make up [0, count).
+/// The number of ranges of `size` indices that make up [0, count). The last one may be shorter.
 constexpr std::size_t range_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
-/// Calls body(i, begin, end) for the i-th of these ranges, side by side: the same ones on any number of cores, so that
-/// what is found in each can be kept by its number.
+/// Calls body(i, begin, end) for the i-th of these ranges, in parallel. The ranges do not depend on the number of
+/// cores, so results can be stored by the number of the range.
 template <class Body>
 void for_numbered_ranges(std::size_t count, std::size_t size, const Body& body) {
   for_ranges(range_count(count, size), 1, [&](std::size_t i, std::size_t past) {
@@ -142,10 +142,10 @@ void for_numbered_ranges(std::size_t count, std::size_t size, const Body& body) 
   });
 }
 
-/// Tasks that may give rise to others.
+/// Tasks that can start other tasks.
 class TaskGroup {
  public:
-  /// Calls work(group), and returns when that and all tasks that were given to the group have ended.
+  /// Calls work(group). Returns when work and all tasks of the group have ended.
   template <class Work>
   static void run(const Work& work) {
     within_call([&] {
@@ -155,7 +155,7 @@ class TaskGroup {
     });
   }
 
-  /// task() will be called, on this thread or on another one. It is called as const.
+  /// Starts a task: task() will be called, as const, on this thread or another one.
   template <class Task>
   void add(Task task) {
     auto attempt = [this, task = std::move(task)] {
@@ -174,7 +174,7 @@ class TaskGroup {
  private:
   explicit TaskGroup(Call& call) : call_(call) {}
 
-  /// False where not all was done.
+  /// False if some tasks were not done.
   bool finish() {
     while (!pending_.empty()) {
       const std::function<void()> task = std::move(pending_.back());
@@ -187,16 +187,17 @@ class TaskGroup {
   Call& call_;
   tbb::task_group_context context_{tbb::task_group_context::isolated};
   tbb::task_group tasks_{context_};
-  std::vector<std::function<void()>> pending_;  ///< on one core
+  std::vector<std::function<void()>> pending_;  ///< used on one core
 };
 
-/// An object for each thread that asks for one.
+/// An object for each thread that uses one.
 template <class T>
 using PerThread = tbb::enumerable_thread_specific<T>;
 
 namespace detail {
 
-/// In place, by halves of about the same size; a half is a task. The same steps on any number of cores.
+/// Sorts in place, by halves of about the same size; each half is a task. The steps do not depend on the number of
+/// cores.
 template <class Iterator, class Less>
 void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, TaskGroup& group) {
   while (last - first > tuning::sorted_items_of_one_task && depth-- > 0) {
@@ -209,7 +210,7 @@ void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, T
     const auto pivot = median(median(at(0), at(1), at(2)), median(at(3), at(4), at(5)), median(at(6), at(7), at(8)));
     Iterator middle = std::partition(first, last, [&](const auto& item) { return less(item, pivot); });
     if (middle == first) {
-      // Nothing is less than the pivot: what equals it is in its place.
+      // No item is less than the pivot. Items that equal it are in their final place.
       first = std::partition(first, last, [&](const auto& item) { return !less(pivot, item); });
       continue;
     }
@@ -222,7 +223,7 @@ void sort_in_tasks(Iterator first, Iterator last, int depth, const Less& less, T
 
 }  // namespace detail
 
-/// As std::sort, and the same result on any number of cores. (oneTBB's own cannot be stopped.)
+/// As std::sort, with the same result on any number of cores. (oneTBB's own sort cannot be stopped.)
 template <class Iterator, class Less = std::less<>>
 void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
   const Call* const call = Call::current();
@@ -231,7 +232,7 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
     return;
   }
   TaskGroup::run([&](TaskGroup& group) {
-    int depth = 1;  // beyond which the halves were not halves
+    int depth = 1;  // deeper only if the halves are very uneven
     for (auto count = last - first; count > 0; count /= 2) depth += 2;
     detail::sort_in_tasks(first, last, depth, less, group);
   });

@@ -1,9 +1,9 @@
-// How far a call is: the work of the whole call is parted into shares, down to those of loops, which add to what is
-// done as they go. Where nobody asks all of this is nothing.
+// The progress of a call. The work of the whole call is divided into shares, down to shares of loops, which report what
+// they have done. Without a progress function, all of this does nothing.
 //
-//   Share       what a stage, or a part of the input, is of what surrounds it; by measurement, or by vertices
-//   LoopShare   of a loop: a quarter of what its surroundings have left, so that any number of loops may follow
-// A sequential loop has Steps (call.h).
+//   Share       the share of a stage, or of a part of the input, in the work around it; by measurement, or by vertices
+//   LoopShare   the share of a loop: a quarter of what is left around it, so any number of loops may follow
+// A sequential loop uses Steps (call.h).
 #pragma once
 
 #include <algorithm>
@@ -16,18 +16,18 @@
 
 namespace oblast::internal {
 
-/// While it lives, what this thread does is this share of the call. At its end all of it is done.
+/// While it exists, the work of this thread is this share of the call. At its end the whole share is done.
 class Share {
  public:
   /// The whole call.
   explicit Share(Control& control) : Share(control.asked() ? &control : nullptr, Control::whole, false) {}
-  /// A stage, so much (0 to 1) of what this thread does.
+  /// A stage, whose share of the work of this thread is `part` (0 to 1).
   Share(Stage stage, double part) : Share(part, false) {
     if (control_ && !inner_) control_->enter(stage);
   }
-  /// An inner pipeline, whose stages are nobody's concern.
+  /// An inner pipeline, whose stages are not reported.
   explicit Share(double part) : Share(part, true) {}
-  /// A part of what another thread does; null: of nothing.
+  /// A part of the share of another thread; null: of nothing.
   Share(Share* of, double part) : Share(of ? of->control_ : nullptr, of ? of->take(part) : 0, of && of->inner_) {}
   Share(const Share&) = delete;
   Share& operator=(const Share&) = delete;
@@ -37,10 +37,10 @@ class Share {
     current_ = outer_;
   }
 
-  /// Of this thread; null where nobody asks, or in a task that has none.
+  /// The share of this thread; null without a progress function, or in a task that has no share.
   static Share* current() { return current_; }
 
-  /// So many units of it are done, or as many as are left.
+  /// Reports that so many units of the share are done, or as many as are left.
   void advance(std::uint64_t work) { control_->advance(take_units(work)); }
   std::uint64_t left() const { return left_.load(std::memory_order_relaxed); }
 
@@ -72,7 +72,7 @@ class Share {
   Share* outer_;
 };
 
-/// While it lives, what this thread does counts for nothing: a task, of which the loop counts the pieces.
+/// While it exists, the work of this thread does not count: for a task of a loop, which counts its pieces itself.
 class NoShare {
  public:
   NoShare() : outer_(std::exchange(Share::current_, nullptr)) {}
@@ -84,14 +84,14 @@ class NoShare {
   Share* outer_;
 };
 
-/// What a loop over `count` pieces adds to the share of the thread that begins it.
+/// What a loop over `count` pieces adds to the share of the thread that starts it.
 class LoopShare {
  public:
   explicit LoopShare(std::size_t count) : share_(Share::current()) {
     if (share_ && count > 0) a_piece_ = static_cast<double>(share_->left()) / 4 / static_cast<double>(count);
   }
 
-  /// From any thread, for as long as the share lives.
+  /// May be called on any thread while the share exists.
   void advance(std::size_t pieces) const {
     if (share_) share_->advance(static_cast<std::uint64_t>(a_piece_ * static_cast<double>(pieces)));
   }

@@ -1,4 +1,4 @@
-// The frame of every public function: what is asked of the call is checked, and the work done within a Call.
+// The frame of every public function: it checks the options and runs the work in a Call.
 #pragma once
 
 #include <oblast/options.h>
@@ -20,7 +20,7 @@ namespace oblast::internal {
 
 namespace detail {
 
-/// Not inlined: nothing of it may be moved to before or after the environment is set (base/floating_point.h).
+/// Not inlined: the compiler must not move its computations out of the environment that is set (base/floating_point.h).
 template <class Work>
 [[gnu::noinline]] auto perform(const Work& work, Control& control) {
   return work(control);
@@ -28,9 +28,9 @@ template <class Work>
 
 }  // namespace detail
 
-/// work(control), and what it returns, for a call on so many vertices of input. Where another public function makes the
-/// call, it is a part of that one's, with its threads, limit, progress and environment.
-/// Throws Error: bad_option, too_large, memory_limit, cancelled, and what the work and the progress function throw.
+/// Runs work(control), for a call on so many vertices of input, and returns its result. If another public function
+/// makes the call, it is a part of that function's call, with its threads, limit, progress and environment. Throws
+/// Error: bad_option, too_large, memory_limit, cancelled, and what the work and the progress function throw.
 template <class Work>
 auto public_call(const CallOptions& options, bool timed, std::size_t vertices, const Work& work) {
   using Result = std::invoke_result_t<const Work&, Control&>;
@@ -43,7 +43,7 @@ auto public_call(const CallOptions& options, bool timed, std::size_t vertices, c
   call.control = &control;
   if (options.most_bytes > 0) call.budget = &budget.emplace(options.most_bytes);
   if (vertices <= tuning::small_call) {
-    // In memory of its own, on this thread.
+    // A small call has its own memory and stays on this thread.
     CallMemory memory;
     call.memory = &memory;
     const WorkingFor working(call);
@@ -60,7 +60,8 @@ auto public_call(const CallOptions& options, bool timed, std::size_t vertices, c
     }
     control.finish();
   });
-  // Not where the call failed: a task that was not begun is dropped, with its arrays, by a thread that left the call.
+  // This does not hold if the call failed: a thread that has left the call then drops tasks that were not begun, with
+  // their arrays.
   assert(!budget || budget->used_bytes() == 0);
   return *std::move(result);
 }

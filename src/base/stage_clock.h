@@ -10,7 +10,7 @@
 
 namespace oblast::internal {
 
-/// Adds the time from its making to its end to a stage, where the call is timed.
+/// Adds the time from its construction to its destruction to a stage, if the call is timed.
 class StageClock {
  public:
   StageClock(const Control& control, Statistics& statistics, Stage stage) {
@@ -29,8 +29,8 @@ class StageClock {
   std::chrono::steady_clock::time_point begin_;
 };
 
-/// A stage of a call, while it lives: asks whether to go on, then counts for progress (a share of what this thread
-/// does) and takes the time.
+/// A stage of a call, while it exists. Polls whether the call must end, then counts progress (as a share of the work of
+/// this thread) and measures the time.
 class InStage {
  public:
   InStage(Stage stage, double share, const Control& control, Statistics& statistics)

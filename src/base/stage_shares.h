@@ -1,14 +1,15 @@
-// What part of a call its stages take, for progress: rounded means over fires, stars, slabs and checkerboards.
+// The shares of the stages in the time of a call, for progress: rounded means over fires, stars, slabs and
+// checkerboards.
 #pragma once
 
 namespace oblast::internal {
 
-// Of the call. What is left is for putting the parts together.
+// Shares of the call. The rest is for joining the parts.
 inline constexpr double collect_share = 0.1, parting_share = 0.05, parts_share = 0.75;
-// Of stages 2 to 6. What is left is for assembling.
+// Shares of stages 2 to 6. The rest is for assembling.
 inline constexpr double node_share = 0.6, label_share = 0.1, select_share = 0.03, link_share = 0.1, nest_share = 0.05;
 
-// Of a triangulation: the union that comes first.
+// The share in a triangulation of the union that comes first.
 inline constexpr double union_share = 0.5;
 
 }  // namespace oblast::internal

@@ -2,8 +2,8 @@
 
 namespace oblast::internal {
 
-/// Thrown where work ends because its call has failed elsewhere, or was cancelled there. It never leaves a call: what
-/// was thrown there does (call.h). Nobody catches it but Call::attempt.
+/// Thrown when work ends because its call has failed or was cancelled on another thread. It never leaves a call; the
+/// original exception does (call.h). Only Call::attempt catches it.
 struct Stopped {};
 
 }  // namespace oblast::internal

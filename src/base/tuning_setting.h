@@ -1,6 +1,6 @@
-// The three settings of the constants in tuning.h: `usual`, what users run; `tiny`, so that sixty edges come to both
-// sides of each; `random`, each drawn between the two by its name and a seed. A build has one of them, by the CMake
-// variables OBLAST_TUNING and OBLAST_TUNING_SEED.
+// The three settings of the constants in tuning.h. `usual` is for users. With `tiny`, sixty edges reach both sides of
+// each constant. With `random`, each constant is drawn between the two, by its name and a seed. The CMake variables
+// OBLAST_TUNING and OBLAST_TUNING_SEED choose the setting of a build.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ enum class Setting { usual, tiny, random };
 inline constexpr Setting setting = Setting::OBLAST_TUNING;
 inline constexpr std::uint64_t seed = OBLAST_TUNING_SEED;
 
-/// Bits drawn for a constant: FNV-1a of its name, and the finaliser of SplitMix64 with the seed.
+/// The random bits of a constant: FNV-1a of its name, then the finaliser of SplitMix64 with the seed.
 constexpr std::uint64_t bits_of(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -32,8 +32,8 @@ constexpr std::uint64_t bits_of(std::string_view name) {
   return z ^ (z >> 31);
 }
 
-/// Between two whole numbers, both included: first how often the smaller is doubled, then a number from there to twice
-/// that. So small numbers come up about as often as large ones. REQUIRES: 0 < low <= high < 2^31.
+/// A random number from `low` to `high`. First it draws how often `low` is doubled, then a number from there to twice
+/// that. So small numbers are about as frequent as large ones. REQUIRES: 0 < low <= high < 2^31.
 constexpr std::uint64_t drawn(std::string_view name, std::uint64_t low, std::uint64_t high) {
   const std::uint64_t bits = bits_of(name);
   std::uint64_t doublings = 0;
@@ -54,7 +54,7 @@ constexpr T choose(std::string_view name, T usual, T tiny) {
                                 static_cast<std::uint64_t>(std::max(usual, tiny))));
 }
 
-/// The same where only powers of two will do. REQUIRES: tiny <= usual, both powers of two.
+/// The same for constants that must be powers of two. REQUIRES: tiny <= usual, both powers of two.
 template <class T>
 constexpr T choose_power_of_two(std::string_view name, T usual, T tiny) {
   if (setting == Setting::usual) return usual;

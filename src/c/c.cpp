@@ -54,7 +54,7 @@ oblast_status report(oblast_error* error, oblast_status status, const char* mess
   return status;
 }
 
-/// Runs work() and makes a status of whatever it throws.
+/// Runs work() and converts an exception into a status.
 template <class Work>
 oblast_status guarded(oblast_error* error, const Work& work) noexcept {
   try {
@@ -68,7 +68,7 @@ oblast_status guarded(oblast_error* error, const Work& work) noexcept {
   } catch (const std::exception& e) {
     return report(error, OBLAST_UNKNOWN, e.what());
   } catch (...) {
-    return report(error, OBLAST_UNKNOWN, "an error of unknown kind");
+    return report(error, OBLAST_UNKNOWN, "an unknown exception was thrown");
   }
 }
 
@@ -87,7 +87,7 @@ oblast::RegionView view_of(const oblast_view& v) {
 
 oblast::Options options_of(const oblast_options* options) { return options ? options->options : oblast::Options{}; }
 
-/// The frame of an overlay: `work` makes the region set.
+/// Checks the pointers, and makes a region set of what `work` returns.
 template <class Work>
 oblast_status make_regions(bool whole, oblast_regions** result, oblast_error* error, const Work& work) noexcept {
   if (!result) return report(error, OBLAST_NULL_POINTER, "result is NULL");
@@ -131,7 +131,7 @@ void oblast_options_set_workspace(oblast_options* options, int keep) {
   try {
     options->workspace.emplace();
     options->options.workspace = &*options->workspace;
-  } catch (...) {  // the calls do without
+  } catch (...) {  // calls then work without a workspace
   }
 }
 

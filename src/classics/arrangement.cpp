@@ -28,7 +28,7 @@ void append(const Array<Ring>& rings, Winding change, Group group, Strands& stra
   }
 }
 
-/// A closed strand with a node begins and ends with one.
+/// Flags the ends: a closed strand that has a node begins and ends at one.
 void flag_ends(Strands& strands) {
   for (std::size_t s = 0; s < strands.size(); ++s) {
     const auto first = strands.flags.begin() + strands.begin(s), last = strands.flags.begin() + strands.ends[s] - 1;
@@ -42,8 +42,8 @@ LargeArray<noding::EdgeCut> meetings_of(Strands& strands) {
   return noding::find_meetings(strands, noding::Grouping::by_strand, {});
 }
 
-/// Flags for is_clear(): added are the rounded crossings only, moved the pieces that end at one. A cut is not a
-/// rounded crossing where a vertex of the input lies there, exactly on the edge that was cut.
+/// Sets the flags for is_clear(): only rounded crossings are added; only pieces that end at one are moved. A cut is not
+/// a rounded crossing if a vertex of the input lies there, exactly on the edge that was cut.
 Strands flagged_for_clearance(const ChainGraph& graph, std::span<const Point> input) {
   Array<bool> has_input(graph.node_count(), false);
   for (const Chain& chain : graph.chains)
@@ -81,7 +81,7 @@ OwnMeetings find_own_meetings(const Array<Ring>& rings) {
                               [](std::uint8_t f) { return (f & noding::node_flag) != 0; });
   flag_ends(strands);
   found.graph = build_chain_graph(strands);
-  std::uint32_t doubled = none;  // the first edge that was there before
+  std::uint32_t doubled = none;  // the first edge that coincides with an earlier one
   for (const Chain& chain : found.graph.chains) {
     const Chain& kept = found.graph.chains[chain.merged_into];
     if (&kept != &chain) doubled = std::min(doubled, std::max(chain.first, kept.first));
@@ -93,10 +93,10 @@ OwnMeetings find_own_meetings(const Array<Ring>& rings) {
 OwnMeetings require_regular(const Operand& operand, const Array<Ring>& rings) {
   OwnMeetings found = find_own_meetings(rings);
   if (found.crossed_ring != OwnMeetings::nowhere)
-    operand.refuse("another edge crosses the edge from there, or ends inside it", rings[found.crossed_ring].contour,
-                   rings[found.crossed_ring].source[found.crossed_vertex]);
+    operand.refuse("another edge crosses the edge that begins there, or ends inside it",
+                   rings[found.crossed_ring].contour, rings[found.crossed_ring].source[found.crossed_vertex]);
   if (found.doubled_ring != OwnMeetings::nowhere)
-    operand.refuse("the edge from there coincides with another", rings[found.doubled_ring].contour,
+    operand.refuse("the edge that begins there coincides with another one", rings[found.doubled_ring].contour,
                    rings[found.doubled_ring].source[found.doubled_vertex]);
   return found;
 }

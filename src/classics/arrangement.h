@@ -1,4 +1,4 @@
-// Two operands cut at their meetings: what Weiler-Atherton and Margalit-Knott work on.
+// Two operands, cut at their meetings. Weiler-Atherton and Margalit-Knott use this.
 #pragma once
 
 #include "base/call_memory.h"
@@ -7,37 +7,37 @@
 
 namespace oblast::internal::classics {
 
-/// The meetings of one operand's edges with each other.
+/// The meetings of the edges of one operand with each other.
 struct OwnMeetings {
   static constexpr std::uint32_t nowhere = 0xffffffff;
 
   bool touches = false;                    ///< some vertex is on the boundary more than once
-  std::uint32_t crossed_ring = nowhere;    ///< first edge that another crosses, or touches inside it:
-  std::uint32_t crossed_vertex = nowhere;  ///< its ring and first vertex, as indices of `rings`
+  std::uint32_t crossed_ring = nowhere;    ///< the first edge that another edge crosses, or touches inside it:
+  std::uint32_t crossed_vertex = nowhere;  ///< its ring and its first vertex, as indices of `rings`
   std::uint32_t doubled_ring = nowhere;    ///< first edge that coincides with another
   std::uint32_t doubled_vertex = nowhere;
-  ChainGraph graph;  ///< of the rings, changes {1, 0}; empty when an edge is crossed
+  ChainGraph graph;  ///< of the rings, with changes {1, 0}; empty if an edge is crossed
 };
 
 /// Cost: O((n + k) log n).
 OwnMeetings find_own_meetings(const Array<Ring>& rings);
 
-/// Throws Error(precondition) unless edges meet at their ends only (Skvortsov, definition 6).
+/// Throws Error(precondition) if edges meet other than at their ends (Skvortsov, definition 6).
 OwnMeetings require_regular(const Operand& operand, const Array<Ring>& rings);
 
-/// Throws Error(precondition), with `why`, unless the interior is on the same side of all rings as they are directed.
-/// REQUIRES: regular. Cost: O(n log n).
+/// Throws Error(precondition), with the message `why`, if the interior is not on the same side of all rings.
+/// REQUIRES: the operand is regular. Cost: O(n log n).
 void require_one_side(const Operand& operand, const Array<Ring>& rings, const OwnMeetings& own, const char* why,
                       bool& interior_left);
 
-/// Both operands, A's changes {1, 0} and B's {0, 1}, cut where they meet, once.
+/// Both operands, cut once where they meet. The changes of A are {1, 0}, those of B are {0, 1}.
 struct Arrangement {
   ChainGraph graph;
-  std::uint64_t meetings = 0;  ///< points of both boundaries
-  bool clear = false;          ///< see clearance.h; when false the graph is of no use
+  std::uint64_t meetings = 0;  ///< number of points that are on both boundaries
+  bool clear = false;          ///< see clearance.h; if it is false, the graph must not be used
 };
 
-/// REQUIRES: both regular, with the interior on the left. `touches` as found by find_own_meetings.
+/// REQUIRES: both are regular, with the interior on the left. `touches` is from find_own_meetings.
 /// Cost: O((n + k) log n).
 Arrangement arrange(const Array<Ring>& a, bool a_touches, const Array<Ring>& b, bool b_touches);
 

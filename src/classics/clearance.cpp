@@ -27,7 +27,7 @@ class ClearanceTest {
 
   bool run() const {
     if (moved_.empty()) return true;
-    // Few moved pieces: to look at every edge is quicker than to build a tree.
+    // With few moved pieces, comparing all edges is faster than building a tree.
     if (moved_.size() * points_.size() <= tuning::few_moved_pairs) {
       return each_moved([&](std::uint32_t e, std::uint32_t s, const Box& box) {
         for (std::uint32_t t = 0; t < strands_.size(); ++t)
@@ -65,7 +65,7 @@ class ClearanceTest {
     });
   }
 
-  /// Edge e of strand s, in its grown box, against edge f of strand t.
+  /// Compares edge e of strand s, in its enlarged box, with edge f of strand t.
   bool pair_is_clear(std::uint32_t e, std::uint32_t s, const Box& box, std::uint32_t f, std::uint32_t t) const {
     const Point &a = points_[e], &b = points_[e + 1], &c = points_[f], &d = points_[f + 1];
     if (e == f || !box.meets(Box::of(c, d))) return true;
@@ -73,7 +73,7 @@ class ClearanceTest {
            (c == a || c == b || is_far(c, a, b)) && (d == a || d == b || is_far(d, a, b));
   }
 
-  /// Vertex v of strand s, at p, against edge f = (c, d) of strand t.
+  /// Compares vertex v of strand s, at p, with edge f = (c, d) of strand t.
   bool end_is_clear(const Point& p, std::uint32_t v, std::uint32_t s, const Point& c, const Point& d, std::uint32_t f,
                     std::uint32_t t) const {
     if (p != c && p != d) return is_far(p, c, d);
@@ -84,7 +84,7 @@ class ClearanceTest {
     return !added || strands_.change[s] != strands_.change[t];
   }
 
-  /// One vertex, or the first and the last one of a closed strand.
+  /// True for one vertex, and for the first and the last one of a closed strand.
   bool same_vertex(std::uint32_t v, std::uint32_t w, std::uint32_t s, std::uint32_t t) const {
     if (v == w) return true;
     if (s != t) return false;

@@ -14,8 +14,8 @@ namespace oblast {
 using namespace internal;
 
 struct ClipWindow::Prepared {
-  RegionSet regions;                     ///< as given, for the settled noding
-  std::optional<window::Window> window;  ///< nothing where it has too many sides
+  RegionSet regions;                     ///< a copy of the window, for the noding of `overlay`
+  std::optional<window::Window> window;  ///< nothing if it has too many sides
 };
 
 namespace {
@@ -32,7 +32,7 @@ RegionSet checked_copy(const RegionView& v) {
 
 RegionSet rectangle(double x0, double y0, double x1, double y1) {
   if (!(x0 < x1) || !(y0 < y1))
-    throw Error(ErrorCode::precondition, "the clip window is empty: it needs x0 < x1 and y0 < y1", {1});
+    throw Error(ErrorCode::precondition, "the clip window is empty or not a number; it needs x0 < x1 and y0 < y1", {1});
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
 }
 

@@ -1,11 +1,11 @@
 // The advance of O'Rourke et al. With the current edges P = (p-, p) of A and Q = (q-, q) of B:
 //
-//        q-                P aims at Q when its head p may still cross Q's line. An edge that aims moves on;
-//          \   p-  p       when both aim or neither does, the one whose head lies outside the other's half-plane.
-//           \  ---->       Collinear, in one direction: the one that ends first.
+//        q-                P aims at Q if its head p may still cross Q's line. An edge that aims advances. If
+//          \   p-  p       both or neither aim, the edge whose head is outside the other's half-plane advances.
+//           \  ---->       If they are collinear in one direction, the edge that ends first advances.
 //            q
 //
-// Every pair of edges that is current at some time is tested for meetings, touching ones included.
+// Every pair of current edges is tested for meetings, including touching ones.
 #include "classics/convex_meetings.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using exact::orientation;
 
 std::uint32_t after(const Ring& ring, std::uint32_t i) { return i + 1 == ring.size() ? 0 : i + 1; }
 
-/// Before, in the direction of the edge (a, b). REQUIRES: on its line.
+/// True if p comes before q in the direction of the edge (a, b). REQUIRES: both are on its line.
 bool earlier(const Point& p, const Point& q, const Point& a, const Point& b) {
   return lexicographically_less(a, b) ? lexicographically_less(p, q) : lexicographically_less(q, p);
 }
@@ -109,7 +109,7 @@ void ConvexMeetings::vertex_on_edge(const Point& p, const Ring& ring, std::uint3
   if (earlier(a, p, a, b) && earlier(p, b, a, b)) cuts.push_back({edge, p, false});
 }
 
-/// False when two cuts that differ were rounded to one place.
+/// False if two different cuts were rounded to the same point.
 bool ConvexMeetings::cut(const Ring& ring, Array<Cut>& cuts, NodedContour& noded) {
   // Rounding is monotone, so rounded points keep their order along the edge in each coordinate.
   std::sort(cuts.begin(), cuts.end(), [&](const Cut& p, const Cut& q) {
@@ -169,7 +169,7 @@ ConvexMeetings::Order ConvexMeetings::settled_order() {
   if (any_rounded && !pieces_are_clear()) return Order::unsettled;
   if (m == 0) return Order::same;
 
-  // Turn B's list so that it begins, or in opposite order ends, with A's first node.
+  // Rotate B's list: it must begin, or in opposite order end, with A's first node.
   const auto at_b = [&](std::size_t k) -> const Point& { return noded_b_.points[nodes_b[k]]; };
   const auto at_a = [&](std::size_t k) -> const Point& { return noded_a_.points[nodes_a[k]]; };
   const auto lines_up = [&](bool opposite) {

@@ -18,31 +18,31 @@ struct NodedContour {
   const Point& next(std::uint32_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
   const Point& previous(std::uint32_t i) const { return points[i == 0 ? points.size() - 1 : i - 1]; }
 
-  /// Adds the points of a chain, its last one left out.
+  /// Adds the points of a chain, without the last one.
   void add_chain(std::size_t k, window::Contours& result) const;
-  /// The same backward: from node k + 1, node k left out.
+  /// The same backward: from node k + 1, without node k.
   void add_chain_backward(std::size_t k, window::Contours& result) const;
 };
 
 class ConvexMeetings {
  public:
-  /// REQUIRES: both convex, counter-clockwise.
+  /// REQUIRES: both are convex and counter-clockwise.
   ConvexMeetings(const Ring& a, const Ring& b) : a_(a), b_(b) {}
 
-  /// Chases both contours round and cuts them. Returns the number of advances, at most 2(n1 + n2).
+  /// Advances around both contours and cuts them. Returns the number of advances, at most 2(n1 + n2).
   std::uint64_t find();
 
   const NodedContour& contour_a() const { return noded_a_; }
   const NodedContour& contour_b() const { return noded_b_; }
 
-  /// How the nodes of B follow one another, seen from those of A.
+  /// The order of the nodes of B, relative to those of A.
   enum class Order {
     same,       ///< node k of B is node k of A
-    opposite,   ///< node k of B is node m - 1 - k of A: touching from outside
+    opposite,   ///< node k of B is node m - 1 - k of A: the contours touch from outside
     unsettled,  ///< rounding might change what meets what
   };
-  /// Lines the nodes up and checks, exactly, that the pieces of A and B meet at their ends only and keep clear.
-  /// Cost: linear, but for many rounded crossings as is_clear().
+  /// Matches the nodes, and checks exactly that the pieces of A and B meet at their ends only and keep clear of each
+  /// other. Cost: linear; for many rounded crossings, that of is_clear().
   Order settled_order();
 
  private:
@@ -61,7 +61,7 @@ class ConvexMeetings {
   const Ring& b_;
   Array<Cut> cuts_a_, cuts_b_;
   NodedContour noded_a_, noded_b_;
-  bool collapsed_ = false;  ///< two points that differ were rounded to one
+  bool collapsed_ = false;  ///< two different points were rounded to the same point
 };
 
 }  // namespace oblast::internal::classics

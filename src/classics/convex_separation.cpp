@@ -1,5 +1,5 @@
-// Each contour is two lexicographically monotone chains. Two edges can meet only where their ranges in
-// that order overlap, and of two chains only as many pairs of edges do as they have edges together.
+// Each contour is two lexicographically monotone chains. Two edges can meet only if their ranges in that order overlap.
+// For two chains, the number of such pairs of edges is at most the total number of their edges.
 #include "classics/convex_separation.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace {
 
 using exact::orientation;
 
-/// A chain of a contour, read from its smallest to its largest vertex.
+/// A chain of a contour, from its smallest to its largest vertex.
 struct Chain {
   const Array<Point>* points;
   std::size_t first;
-  std::size_t size;  ///< vertices
+  std::size_t size;  ///< number of vertices
   bool backward;
 
   std::size_t vertex(std::size_t i) const {
@@ -45,7 +45,7 @@ bool boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) 
          std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
 }
 
-/// REQUIRES: a < b, c < d. Edges in conflict meet other than at one common end, and are not identical.
+/// True if the edges meet other than at one common end, and are not identical. REQUIRES: a < b, c < d.
 bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (!boxes_meet(a, b, c, d)) return false;
   if (a == c || b == d) return (a == c) != (b == d) && orientation(a, b, a == c ? d : c) == 0;
@@ -54,7 +54,7 @@ bool in_conflict(const Point& a, const Point& b, const Point& c, const Point& d)
   return orientation(c, d, a) * orientation(c, d, b) <= 0;
 }
 
-/// A vertex that both chains have is an end of two edges that are compared.
+/// A common vertex of both chains is an end of two edges that are compared.
 bool separated(const Chain& p, const Chain& q, Array<bool>& common_p, Array<bool>& common_q) {
   for (std::size_t i = 0, j = 0; i + 1 < p.size && j + 1 < q.size;) {
     if (in_conflict(p[i], p[i + 1], q[j], q[j + 1])) return false;

@@ -7,9 +7,9 @@
 
 namespace oblast::internal::classics {
 
-/// True when each edge of one contour and each of the other are disjoint, or identical, or share just one end.
-/// False also where a contour has more than one smallest or largest vertex (rounding may bend a convex contour so).
-/// Then `common_a` and `common_b` tell for each vertex whether it is one of the other contour's. Cost: linear.
+/// True if each edge of one contour and each edge of the other are disjoint, or identical, or share exactly one end.
+/// Then `common_a` and `common_b` say for each vertex whether it is also a vertex of the other contour. Also false if a
+/// contour has more than one smallest or largest vertex (rounding can bend a convex contour like this). Cost: linear.
 bool separated(const Array<Point>& a, const Array<Point>& b, Array<bool>& common_a, Array<bool>& common_b);
 
 }  // namespace oblast::internal::classics

@@ -1,6 +1,5 @@
-// A floating-point filter, then expansions. With u = 2^-53 the determinant of two difference vectors has an
-// error of at most (3 + 16u) u (|left| + |right|): see exact/orientation.h, whose argument holds for
-// any two differences.
+// A floating-point filter, then expansions. With u = 2^-53, the error of the determinant of two difference vectors is
+// at most (3 + 16u) u (|left| + |right|). The proof in exact/orientation.h holds for any two differences.
 #include "classics/crossing.h"
 
 #include <cmath>
@@ -12,7 +11,7 @@ namespace {
 
 using exact::Expansion;
 
-/// (b - a) x (d - c): the four points of two directions.
+/// (b - a) x (d - c), for the four points of two directions.
 struct Determinant {
   Point a, b, c, d;
 
@@ -30,7 +29,7 @@ struct Determinant {
 
 int sign_of(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
-/// The full product; `sum` never holds more than the two factors' components multiplied, twice.
+/// The full product. `sum` never has more than twice the product of the numbers of components.
 Expansion<512> product(const Expansion<16>& e, const Expansion<16>& f) {
   Expansion<512> sum;
   for (int i = 0; i < f.size; ++i) {

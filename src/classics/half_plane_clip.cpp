@@ -1,13 +1,13 @@
 // One clip by the half-plane left of a line L:
 //
-//         \  path  /    \  path  /         left of L stay paths; all that lies on L or right of it is dropped
-//   L  ----x------o------x------o---->     path ends in their order along L, at one point by angle, from
-//        exit   entry  exit   entry        left to right as a line just left of L meets them
+//         \  path  /    \  path  /         paths left of L remain; everything on L or right of it is dropped
+//   L  ----x------o------x------o---->     path ends are sorted along L; at one point they are sorted by angle, in
+//        exit   entry  exit   entry        the order in which a line just left of L meets them
 //
-// Along L, just left of it, the subject is inside between the first and the second path end, the third and the
-// fourth, and so on: there a new edge runs along L from an exit to an entry. Vertices that lie on L inside
-// such an edge are put into it. So no two edges overlap on L, as they do when the ends are joined in the
-// order of the walk (the "bridges" of the method without the sort).
+// Along a line just left of L, the subject's interior is between the first and the second path end, between the third
+// and the fourth, and so on. There a new edge runs along L from an exit to an entry. Vertices on L inside such an edge
+// are inserted into it. So no two edges overlap on L. (They do overlap if ends are joined in the order of the walk:
+// these are the "bridges" of the method without the sort.)
 #include "classics/half_plane_clip.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ int HalfPlaneClip::side_of(const ClipVertex& v, std::uint32_t side) const {
   return side_of_crossing(line(v.first), line(v.second), l);
 }
 
-/// Where an edge crosses a side's line: a corner of the window where it passes through one exactly.
+/// The point at which an edge crosses the line of a side. If the edge passes exactly through a corner, that corner.
 ClipVertex HalfPlaneClip::cross(std::uint32_t edge, std::uint32_t side) const {
   const Line e = line(edge);
   for (const Point& corner : {window_.sides[side].p, window_.sides[side].q})
@@ -101,7 +101,7 @@ ClipVertex HalfPlaneClip::cross(std::uint32_t edge, std::uint32_t side) const {
   return {{}, edge, edge, subject_edges() + side};
 }
 
-/// For a crossing that lies on the side's line: a line through it that is not the side's.
+/// For a crossing on the line of a side: another line through the crossing.
 std::uint32_t HalfPlaneClip::other_line(const ClipVertex& v, std::uint32_t side) const {
   const std::uint32_t id = subject_edges() + side;
   if (v.first == id) return v.second;
@@ -109,12 +109,12 @@ std::uint32_t HalfPlaneClip::other_line(const ClipVertex& v, std::uint32_t side)
   return std::max(v.first, v.second);  // another side's line; the subject's edge may run along this one
 }
 
-/// The order of two vertices on the side's line, in its direction.
+/// The order of two vertices on the line of a side, in its direction.
 int HalfPlaneClip::compare_along(const ClipVertex& v, const ClipVertex& w, std::uint32_t side) const {
   const Line& l = window_.sides[side];
   if (!v.is_crossing() && !w.is_crossing()) return compare_points(v.at, w.at, l);
   if (!w.is_crossing()) return -compare_along(w, v, side);
-  // A line that turns left from L leaves what is further along L to its right.
+  // If a line turns left from L, points further along L are on its right.
   const Line e = line(other_line(w, side));
   const int v_side = v.is_crossing() ? side_of_crossing(l, line(other_line(v, side)), e) : orientation(e.p, e.q, v.at);
   return -v_side * turn(l, e);
@@ -138,7 +138,7 @@ bool HalfPlaneClip::clip(std::uint32_t side) {
   return true;
 }
 
-/// One contour to the paths of it that lie left of the line.
+/// Divides one contour into its paths left of the line.
 void HalfPlaneClip::split(std::uint32_t begin, std::uint32_t end, std::uint32_t side) {
   if (begin == end) return;
   const std::uint32_t n = end - begin;
@@ -183,7 +183,7 @@ void HalfPlaneClip::add_path_end(std::uint32_t path, bool entry) {
     path_ends_.push_back({path_vertices_[p.end - 1], reversed(line(path_vertices_[p.end - 2].along)), path, false});
 }
 
-/// The paths to contours, by new edges along the line.
+/// Joins the paths to contours, with new edges along the line.
 bool HalfPlaneClip::join(std::uint32_t side) {
   const std::uint32_t id = subject_edges() + side;
   std::sort(path_ends_.begin(), path_ends_.end(), [&](const PathEnd& v, const PathEnd& w) {

@@ -1,8 +1,8 @@
 // Exact clipping by half-planes, one after another: the steps of Sutherland and Hodgman.
 //
-// No point is constructed. A vertex is an input point or the crossing of two lines, each through two input points;
-// both are compared by exact predicates. So the order of the half-planes does not matter, nor does
-// how often a point is clipped.
+// No point is constructed. A vertex is an input point, or the crossing of two lines that each run through two input
+// points. Exact predicates compare both. So the order of the half-planes does not matter, nor does the number of times
+// that a point is clipped.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace oblast::internal::classics {
 
-/// A convex window: its sides, collinear ones made one.
+/// A convex window. Collinear sides are one side.
 struct ConvexWindow {
-  Array<Point> ring;             ///< as given, counter-clockwise, without repeated neighbours
+  Array<Point> ring;             ///< the input, counter-clockwise, without repeated neighbours
   Array<Line> sides;             ///< from corner to corner; side i ends where side i + 1 begins
   Array<Array<Point>> straight;  ///< by side: vertices inside it, in its direction
   Point low, high;               ///< its box
@@ -27,11 +27,11 @@ struct ConvexWindow {
 
 inline constexpr std::uint32_t no_line = 0xffffffff;
 
-/// Lines are numbered: first the subject's edges by their first point, then the window's sides.
+/// A vertex. Lines have numbers: first the edges of the subject, by their first point, then the sides of the window.
 struct ClipVertex {
   Point at;                       ///< the point, unless it is a crossing
   std::uint32_t along = no_line;  ///< line of the edge that begins here, in its direction
-  std::uint32_t first = no_line;  ///< crossing: of which lines
+  std::uint32_t first = no_line;  ///< for a crossing: the numbers of its two lines
   std::uint32_t second = no_line;
 
   bool is_crossing() const { return first != no_line; }
@@ -39,17 +39,18 @@ struct ClipVertex {
 
 class HalfPlaneClip {
  public:
-  /// REQUIRES: the rings regular together, the interior on the left; coordinates in the range of crossing.h.
+  /// REQUIRES: the rings together are regular, with the interior on the left; coordinates are in the range of
+  /// crossing.h.
   HalfPlaneClip(std::span<const Ring> subject, const ConvexWindow& window);
 
-  /// Clips by every side of the window. False when the subject was not regular after all.
-  /// Cost: O(m n log n), m sides, n vertices; O(m n) where few edges cross sides.
+  /// Clips by every side of the window. False if the subject is not regular. Cost: O(m n log n) for m sides and n
+  /// vertices; O(m n) if few edges cross sides.
   bool run();
 
   /// window::Contours of the result, the interior on the left: vertices and where each contour ends.
   const Array<ClipVertex>& vertices() const { return vertices_; }
   const Array<std::uint32_t>& ends() const { return ends_; }
-  /// Subject vertices on the window's sides that are no ends of paths there, by side.
+  /// By side: the vertices of the subject on that side of the window that are not ends of paths.
   const Array<Array<Point>>& touches() const { return touches_; }
   Line line(std::uint32_t id) const;
   std::uint32_t subject_edges() const { return static_cast<std::uint32_t>(edges_.size()); }

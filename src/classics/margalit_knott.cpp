@@ -1,20 +1,22 @@
 // Margalit and Knott 1989: vertex-complete polygons (Skvortsov, section 2.4).
 //
-// 1. Normalise: sides that coincide cancel in pairs, and the contours are turned by the operation: the interior on
-//    the left of A, and of B too, but on the right of B for the difference.
-// 2. Find the intersections and put them into both polygons: the sides become edge fragments.
-// 3. Classify each fragment against the other polygon: inside, outside, or on its boundary. The paper
-//    looks every vertex and every middle up by itself, in O(n^2) together; here one sweep answers for all
-//    fragments which side of the other polygon lies below them: the O(n log n) Table 1 calls theoretical.
-// 4. Select fragments by the table, 5. construct contours of them.
+// 1. Normalise: coincident sides cancel in pairs. The operation decides the directions: the interior is on the left of
+// A,
+//    and on the left of B, too, except on the right of B for the difference.
+// 2. Find the intersections and insert them into both polygons: the sides become edge fragments.
+// 3. Classify each fragment with respect to the other polygon: inside, outside, or on its boundary. The paper locates
+// every
+//    vertex and every midpoint separately, in O(n^2) in total. Here one sweep finds, for all fragments, which side of
+//    the other polygon lies below them: the O(n log n) that Table 1 calls theoretical.
+// 4. Select fragments by the table. 5. Construct contours from them.
 //
 //      operation      of A       of B      on the boundary: directed alike   directed oppositely
 //      intersection   inside     inside    once                              -
 //      union          outside    outside   once                              -
 //      difference     outside    inside    once                              -
 //
-// With B turned for the difference, boundaries directed alike have the interiors on opposite sides: so
-// one table serves all three.
+// For the difference B is reversed. Then boundaries with the same direction have their interiors on opposite sides. So
+// one table is enough for all three operations.
 #include <algorithm>
 
 #include "base/call_memory.h"
@@ -36,15 +38,15 @@ constexpr const char* instead = "overlay";
 
 enum class Place : std::uint8_t { outside, inside, on_boundary };
 
-/// Step 1. REQUIRES: vertex-complete, which is checked.
+/// Step 1. Checks that the operand is vertex-complete.
 Array<Ring> normalise(const RegionView& regions, std::size_t index, const CallOptions& call, bool& touches) {
   const classics::Operand operand{regions, index, name, instead};
   Array<Ring> rings{operand.one_contour()};
   const classics::OwnMeetings own = classics::find_own_meetings(rings);
   if (own.crossed_ring != classics::OwnMeetings::nowhere)
-    operand.refuse("another edge crosses the edge from there, or ends inside it, so it is not vertex-complete", 0,
+    operand.refuse("another edge crosses the edge that begins there, or ends inside it: not vertex-complete", 0,
                    rings[0].source[own.crossed_vertex]);
-  // Nothing is cut, so no coordinate changes: coincident sides cancel and the contour falls apart into simple ones.
+  // Nothing is cut, so no coordinate changes. Coincident sides cancel, and the contour is divided into simple ones.
   const RegionSet normal = unite(regions, classics::overlay_options(call, FillRule::even_odd()));
   rings.clear();
   for (std::size_t c = 0; c < normal.contour_ends.size(); ++c)

@@ -21,9 +21,9 @@ int turn_at(const Ring& ring, std::size_t i) {
   return exact::orientation(ring.previous(i), ring.points[i], ring.next(i));
 }
 
-/// The first vertex at which the ring is not convex; npos when it is. `turn`: which way it runs, told at the smallest
-/// vertex, which is a corner of the hull. A ring that turns one way only and has one smallest and one
-/// largest vertex is convex and simple.
+/// The first vertex at which the ring is not convex; npos if it is convex. Sets `turn` to its direction, which is the
+/// turn at the smallest vertex, a corner of the hull. A ring that turns in one direction only, and has one smallest and
+/// one largest vertex, is convex and simple.
 std::size_t first_not_convex(const Ring& ring, int& turn, const char*& why) {
   const auto smallest = std::min_element(ring.points.begin(), ring.points.end(), lexicographically_less);
   turn = turn_at(ring, static_cast<std::size_t>(smallest - ring.points.begin()));
@@ -80,7 +80,7 @@ void Operand::refuse(const std::string& why, std::size_t contour, std::size_t ve
 
 Ring Operand::one_contour() const {
   if (regions.contour_count() != 1)
-    refuse("the operand has " + std::to_string(regions.contour_count()) + " contours, the method takes one",
+    refuse("the operand has " + std::to_string(regions.contour_count()) + " contours, but the method takes one",
            regions.contour_count() > 1 ? 1 : npos, npos);
   Ring ring = clean_ring(regions.contour(0));
   if (ring.size() < 3) refuse("the contour has fewer than three different points", 0, npos);

@@ -1,6 +1,6 @@
-// Operands of the classics: their contours cleaned, and each method's domain checked.
+// The operands of the classics: cleans their contours and checks the domain of each method.
 //
-// What is outside a method's domain is Error(precondition) with the place and another method to use.
+// An operand outside the domain of a method is an Error(precondition) with the place and another method to use.
 #pragma once
 
 #include <oblast/error.h>
@@ -14,11 +14,11 @@
 
 namespace oblast::internal::classics {
 
-/// A contour without repeated neighbours and without its closing point; -0.0 is 0.0.
+/// A contour without repeated neighbours and without its closing point. -0.0 is replaced by 0.0.
 struct Ring {
   Array<Point> points;
-  Array<std::uint32_t> source;  ///< by point: the vertex of the contour as given
-  std::size_t contour = 0;      ///< which contour of the operand it was
+  Array<std::uint32_t> source;  ///< by point: its vertex in the contour of the input
+  std::size_t contour = 0;      ///< the contour of the operand
 
   std::size_t size() const { return points.size(); }
   const Point& next(std::size_t i) const { return points[i + 1 == points.size() ? 0 : i + 1]; }
@@ -28,7 +28,7 @@ struct Ring {
 Ring clean_ring(std::span<const Point> contour);
 void reverse(Ring& ring);
 
-/// An operand under the eyes of a method: for checks and their messages.
+/// An operand of a method, for checks and their messages.
 struct Operand {
   const RegionView& regions;
   std::size_t index;    ///< 0 for A, 1 for B
@@ -38,15 +38,17 @@ struct Operand {
   /// Throws Error(precondition). `vertex` may be Place::npos, and so may `contour`.
   [[noreturn]] void refuse(const std::string& why, std::size_t contour, std::size_t vertex) const;
 
-  /// The one contour of the operand, at least three different points. Throws Error(precondition).
+  /// The only contour of the operand, with at least three different points. Throws Error(precondition) otherwise.
   Ring one_contour() const;
-  /// The one contour of the operand, convex, turned counter-clockwise; straight vertices are allowed. Cost: linear.
+  /// The only contour of the operand, made counter-clockwise. Throws Error(precondition) if it is not convex. Cost:
+  /// linear.
   Ring one_convex_contour() const;
-  /// All contours, cleaned, as directed.
+  /// All contours, cleaned, with their directions. Throws Error(precondition) if one has fewer than three different
+  /// points.
   Array<Ring> all_contours() const;
 };
 
-/// Throws Error(precondition) unless `operation` is one that the method has.
+/// Throws Error(precondition) for the symmetric difference, which the method does not have.
 void refuse_symmetric_difference(bool is_symmetric_difference, const char* method);
 
 }  // namespace oblast::internal::classics

@@ -1,15 +1,15 @@
 // O'Rourke, Chien, Olson and Naddor 1982: convex with convex (Skvortsov, section 2.1, figure 3).
 //
-// Idea: two edges, one of each contour, chase each other round. The edge that aims at the other's line
-// moves on, so that neither passes a meeting by; after at most 2(n1 + n2) advances all meetings are found.
-// They part both contours into chains. Two convex boundaries visit their common points in the same order, so
-// between two of them, p and q, lies one chain of each:
+// Idea: two edges, one of each contour, advance around the contours. The edge that aims at the other's line advances,
+// so neither passes a meeting. After at most 2(n1 + n2) advances all meetings are found. They divide both contours into
+// chains. Two convex boundaries visit their common points in the same order. So between two of these points, p and q,
+// lies one chain of each contour:
 //
-//              .--- B ---.            intersection: of each pair the left chain (here A's)
-//        p ---+           +--- q      union: the right one
-//              `--- A ---'            difference A \ B: both, where A's is the right one
+//              .--- B ---.            intersection: the left chain of each pair (here B's)
+//        p ---+           +--- q      union: the right chain
+//              `--- A ---'            difference A \ B: both chains, if A's is the right one
 //
-// (walked counter-clockwise, so the interiors are above). Which is left is asked of the sectors at p.
+// (walked counter-clockwise, so the interiors are above). The sectors at p decide which chain is the left one.
 #include <algorithm>
 #include <array>
 
@@ -32,10 +32,11 @@ using exact::orientation;
 constexpr const char* name = "O'Rourke";
 constexpr const char* instead = "Weiler-Atherton or overlay";
 
-/// How a chain of one contour lies to the other region: the labels of Leonov and Nikitin.
+/// Where a chain of one contour is with respect to the other region: the labels of Leonov and Nikitin.
 enum class Label { inside, outside, shared1, shared2 };
 
-/// Leaving x towards p, seen from a convex region that leaves x towards `after` and came from `before`.
+/// The label of a chain that leaves x towards p, for a convex region whose boundary comes from `before` and goes to
+/// `after`.
 Label label_at(const Point& x, const Point& p, const Point& after, const Point& before) {
   if (p == after) return Label::shared1;
   if (p == before) return Label::shared2;
@@ -48,7 +49,7 @@ class Lenses {
  public:
   Lenses(const NodedContour& a, const NodedContour& b, bool same_order) : a_(a), b_(b) {
     const std::size_t m = a.nodes.size();
-    // Contours that touch from outside along an edge visit their nodes in opposite orders.
+    // Contours that touch from outside along an edge visit their nodes in opposite order.
     for (std::size_t k = 0; k < m; ++k) {
       const std::uint32_t i = a.nodes[k], j = b.nodes[same_order ? k : m - 1 - k];
       const Point& x = a.points[i];
@@ -78,7 +79,7 @@ class Lenses {
       result.close();
       return result;
     }
-    // Touching from outside: at one point, or along an edge; then one chain of each is left.
+    // They touch from outside: at one point, or along an edge. Then one chain of each remains.
     const bool along_an_edge = std::find(a_label_.begin(), a_label_.end(), Label::shared2) != a_label_.end();
     add_unshared(a_, a_label_, result);
     if (!along_an_edge) result.close();
@@ -126,7 +127,7 @@ void add_ring(const classics::Ring& ring, bool backward, window::Contours& resul
   result.close();
 }
 
-/// Boundaries that do not meet: apart, or one in the other.
+/// For boundaries that do not meet: the regions are disjoint, or one is inside the other.
 window::Contours without_meetings(const classics::Ring& a, const classics::Ring& b, Operation operation) {
   const bool a_in_b = contains(b, a.points[0]), b_in_a = !a_in_b && contains(a, b.points[0]);
   window::Contours result;

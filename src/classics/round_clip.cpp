@@ -12,12 +12,12 @@ namespace oblast::internal::classics {
 namespace {
 
 struct Cut {
-  std::uint32_t line;  ///< subject edge, or side of the window
+  std::uint32_t line;  ///< an edge of the subject, or a side of the window
   Point at;
   bool rounded;
 };
 
-/// Every crossing is a vertex of the result; so here all cuts are known.
+/// Rounds the crossings. Every crossing is a vertex of the result, so all cuts are known.
 class Rounding {
  public:
   Rounding(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window)
@@ -27,7 +27,7 @@ class Rounding {
     const std::uint32_t edge = std::min(v.first, v.second), side = std::max(v.first, v.second) - clip_.subject_edges();
     const Line e = clip_.line(edge), s = window_.sides[side];
     const Point x = exact::intersection_point(e.p, e.q, s.p, s.q);
-    // Exactly at a vertex inside the side: no rounding there.
+    // A cut exactly at a vertex inside the side is not rounded.
     const auto& straight = window_.straight[side];
     const auto same = std::find(straight.begin(), straight.end(), x);
     const bool exact_vertex = same != straight.end() && exact::orientation(e.p, e.q, x) == 0;
@@ -65,7 +65,8 @@ class Rounding {
   }
 
  private:
-  /// Vertices exactly on edges of the other contour: of the subject on sides, of the window on crossed edges.
+  /// Adds cuts at vertices exactly on edges of the other contour: subject vertices on sides, window corners on crossed
+  /// edges.
   void add_exact_cuts() {
     for (std::uint32_t side = 0; side < window_.sides.size(); ++side) {
       for (const Point& p : window_.straight[side]) side_cuts_.push_back({side, p, false});
@@ -84,7 +85,7 @@ class Rounding {
     }
   }
 
-  /// REQUIRES: p on the line of s.
+  /// REQUIRES: p is on the line of s.
   static bool is_inside(const Point& p, const Line& s) {
     const bool forward = lexicographically_less(s.p, s.q);
     const Point &low = forward ? s.p : s.q, &high = forward ? s.q : s.p;
@@ -102,7 +103,7 @@ class Rounding {
     });
   }
 
-  /// The first vertex of a line and its cuts. False when two of them were rounded to one place.
+  /// Adds the first vertex of a line and its cuts. False if two of them were rounded to the same point.
   static bool add(noding::Strands& strands, const Point& p, const Array<Cut>& cuts, std::size_t& next,
                   std::uint32_t line) {
     strands.points.push_back(p);

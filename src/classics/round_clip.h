@@ -1,4 +1,4 @@
-// The exact result of clipping to points: crossings rounded, and told whether that is safe.
+// Converts the exact result of clipping to points: rounds crossings, and decides whether that is safe.
 #pragma once
 
 #include "base/call_memory.h"
@@ -9,8 +9,8 @@ namespace oblast::internal::classics {
 
 bool has_safe_magnitudes(const Array<Ring>& rings);
 
-/// Adds the contours of the result. False when rounding might change what meets what (clearance.h).
-/// `meetings`: points of both boundaries.
+/// Adds the contours of the result. False if rounding might change what meets what (clearance.h). Sets `meetings` to
+/// the number of points that are on both boundaries.
 bool round_clip(const HalfPlaneClip& clip, const Array<Ring>& subject, const ConvexWindow& window,
                 window::Contours& contours, std::uint64_t& meetings);
 

@@ -1,5 +1,5 @@
-// What a classic does when rounding might change what meets what (clearance.h): it hands its operands to the
-// settled noding of the library, which repeats rounding until nothing changes and labels by winding numbers.
+// If rounding might change what meets what (clearance.h), a classic passes its operands on to `overlay`, which repeats
+// rounding until nothing changes.
 #pragma once
 
 #include <oblast/classics.h>
@@ -16,7 +16,7 @@ inline RegionSet settle(const RegionView& a, const RegionView& b, Operation oper
   return overlay(a, b, operation, options);
 }
 
-/// Of an overlay that a classic makes, under one rule for both operands.
+/// The options of an overlay that a classic makes, with one fill rule for both operands.
 inline Options overlay_options(const CallOptions& call, const FillRule& rule = {}) {
   Options options;
   static_cast<CallOptions&>(options) = call;
@@ -24,7 +24,7 @@ inline Options overlay_options(const CallOptions& call, const FillRule& rule = {
   return options;
 }
 
-/// The frame of a classic on two operands: checked, and work(report) done within a call.
+/// The frame of a classic on two operands: validates them, and runs work(report) in a call.
 template <class Work>
 RegionSet classic_call(const RegionView& a, const RegionView& b, ClassicReport* report, const CallOptions& options,
                        const Work& work) {

@@ -1,7 +1,7 @@
 // Sutherland and Hodgman 1974: any contour clipped to a convex one (Skvortsov, section 2.2, figure 4).
 //
-// Idea: the convex window is where the half-planes left of its sides overlap, so clip by one after another
-// (half_plane_clip.h, exactly), and round the crossings at the end.
+// Idea: the convex window is the intersection of the half-planes left of its sides. So clip by one after another,
+// exactly (half_plane_clip.h), and round the crossings at the end.
 #include <oblast/classics.h>
 
 #include "base/call_memory.h"
@@ -55,7 +55,7 @@ class Subject {
     resolve(begin, end);
   }
 
-  /// A general polygon to the regular one that is the same region, as the library reads polygons anywhere.
+  /// Resolves a general polygon to a regular one with the same region, under even-odd.
   void resolve(std::uint32_t begin, std::uint32_t end) {
     if (begin == end) return;
     const RegionSet regular =

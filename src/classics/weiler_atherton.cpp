@@ -1,15 +1,18 @@
 // Weiler and Atherton 1977: regular polygons with oriented contours (Skvortsov, section 2.3, figure 5).
 //
-// Idea: where the boundaries meet, walk from one onto the other.
-// 1. Find the intersections and put them into both polygons.
-// 2. Tell for each stretch of boundary between two intersections whether it runs inside or outside the
-//    other polygon: the sectors at the intersection it starts from say so (entering and leaving).
-// 3. Walk. Intersection: begin on a stretch inside the other polygon, go on to the intersection, change over, until
-//    the path closes. Union: the same on stretches outside. Difference: A's outside, B's inside, backward.
+// Idea: at the points where the boundaries meet, walk from one boundary to the other.
+// 1. Find the intersections and insert them into both polygons.
+// 2. Decide for each stretch of boundary between two intersections whether it runs inside or outside the other polygon.
+// The
+//    sectors at the intersection at which it starts decide this (entering and leaving).
+// 3. Walk. Intersection: begin on a stretch inside the other polygon, walk to the next intersection, change to the
+// other
+//    boundary, and repeat until the path closes. Union: the same on stretches outside. Difference: on A's stretches
+//    outside B, and backward on B's stretches inside A.
 //
-// What the paper leaves open is decided here: stretches that coincide are SHARED1 (same direction) or
-// SHARED2 (opposite), and at an intersection of many stretches the walk leaves by the first admitted one
-// clockwise from where it came, so it never crosses itself.
+// The paper leaves degenerate cases open. Here coincident stretches are SHARED1 (same direction) or SHARED2 (opposite
+// directions). At an intersection of many stretches, the walk leaves by the first admitted one clockwise from the one
+// by which it arrived, so it never crosses itself.
 #include <algorithm>
 
 #include "base/call_memory.h"
@@ -29,7 +32,7 @@ enum class Side : std::uint8_t { unknown, inside, outside, shared1, shared2 };
 
 bool of_a(Winding w) { return w.a != 0; }
 
-/// All stretches, each told by its chain, and how it lies to the other polygon.
+/// All stretches, given by their chains, with their position with respect to the other polygon.
 class Stretches {
  public:
   explicit Stretches(const ChainGraph& graph) : graph_(graph), side_(graph.chains.size(), Side::unknown) {
@@ -41,8 +44,8 @@ class Stretches {
   Side operator[](std::uint32_t chain) const { return side_[chain]; }
 
  private:
-  /// Step 2 at one intersection:  going round it, the sector is in the other polygon or not, and that
-  /// changes at the other polygon's stretches only.
+  /// Step 2 at one intersection. Around it, sectors are inside or outside the other polygon. This changes only at
+  /// stretches of the other polygon.
   void classify_at(std::uint32_t node) {
     const auto list = graph_.list(node);
     bool in_a = false, in_b = false, knows_a = false, knows_b = false;
@@ -63,7 +66,7 @@ class Stretches {
     }
   }
 
-  /// Where only one polygon touches itself, all its stretches lie alike to the other.
+  /// At a point where only one polygon touches itself, all its stretches have the same position to the other polygon.
   void spread() {
     Array<std::uint32_t> known;
     for (std::uint32_t c = 0; c < side_.size(); ++c)
@@ -85,7 +88,7 @@ class Stretches {
     }
   }
 
-  /// Contours that meet nothing: a point of theirs in the other polygon or not, by what lies below.
+  /// Contours that meet nothing: the chain below a point decides whether it is in the other polygon.
   void locate_the_rest() {
     for (const bool in_a : {true, false}) {
       Array<std::uint32_t> others, unknown;
@@ -141,7 +144,7 @@ class Walk {
   /// The direction in which a stretch is walked, if at all: the table of Leonov and Nikitin.
   Descriptor admitted(std::uint32_t c, Side side, Operation operation) const {
     const Winding w = graph_.chains[c].change;
-    const bool interior_left = (of_a(w) ? w.a : w.b) > 0;  // a shared chain goes by A
+    const bool interior_left = (of_a(w) ? w.a : w.b) > 0;  // A decides for a shared chain
     const Descriptor along = interior_left ? forward(c) : opposite(forward(c));
     switch (operation) {
       case Operation::intersection:
@@ -154,7 +157,7 @@ class Walk {
     }
   }
 
-  /// Arrived along d: the first admitted stretch clockwise, or none when the path has closed.
+  /// After arriving along d: the first admitted stretch clockwise, or none if the path has closed.
   Descriptor leave_from(Descriptor d) const {
     if (d == none) return none;
     const auto list = graph_.list(graph_.end_node(d));
@@ -178,11 +181,11 @@ class Walk {
   Array<Descriptor> way_;
 };
 
-/// An operand whose contours all have the interior on one side; turned so that it is the left one.
+/// An operand whose contours all have the interior on one side, reversed if necessary, so that it is the left side.
 struct Oriented {
   Array<classics::Ring> rings;
   bool touches = false;
-  FillRule rule = FillRule::positive();  ///< that reads the contours as they were given
+  FillRule rule = FillRule::positive();  ///< the fill rule for the contours of the input
 };
 
 Oriented require_oriented(const RegionView& regions, std::size_t index) {
@@ -193,7 +196,8 @@ Oriented require_oriented(const RegionView& regions, std::size_t index) {
   oriented.touches = own.touches;
   bool interior_left = true;
   classics::require_one_side(operand, oriented.rings, own,
-                             "the interior is not on the same side of this contour as of the first one", interior_left);
+                             "the interior is not on the same side of this contour as of the first contour",
+                             interior_left);
   if (!interior_left) {
     for (classics::Ring& ring : oriented.rings) classics::reverse(ring);
     oriented.rule = FillRule::negative();

@@ -18,8 +18,8 @@ using noding::Simplicity;
 using noding::Strands;
 using noding::Winding;
 
-/// Appends the ring to the points without repeated neighbours and without its closing point; -0.0 becomes 0.0. Where
-/// fewer than three vertices are left, none are.
+/// Appends the ring to the points, without repeated neighbours and without its closing point. -0.0 becomes 0.0. If
+/// fewer than three vertices remain, appends nothing.
 std::span<const Point> append_clean(std::span<const Point> ring, LargeArray<Point>& points) {
   const std::size_t begin = points.size();
   points.resize(begin + ring.size());
@@ -36,7 +36,7 @@ std::span<const Point> append_clean(std::span<const Point> ring, LargeArray<Poin
   return std::span(points).subspan(begin);
 }
 
-/// Makes room for so many contours and what they have of vertices. Polygons that are resolved get a few more.
+/// Reserves memory for so many contours and vertices. Polygons that are resolved need a few more.
 void reserve(Strands& strands, std::size_t vertices, std::size_t count) {
   const std::size_t points = vertices + count;
   reserve_in_large_pages(strands.points, points + points / 8);
@@ -56,13 +56,13 @@ class PolygonReader {
         first_group_(first_group),
         resolve_(resolve) {}
 
-  /// For polygons [begin, end), which are not none.
+  /// Reserves memory for polygons [begin, end). REQUIRES: begin < end.
   void make_room(std::size_t begin, std::size_t end, Strands& strands) const {
     const std::uint32_t first = operand_.polygon_begin(begin), past = operand_.polygon_end(end - 1);
     reserve(strands, operand_.contour_begin(past) - operand_.contour_begin(first), past - first);
   }
 
-  /// Appends polygons [begin, end) to the strands; the number of those whose rings were found to meet.
+  /// Appends polygons [begin, end) to the strands. Returns the number of polygons whose rings meet.
   std::uint64_t read(std::size_t begin, std::size_t end, Strands& strands) const {
     Scratch scratch;
     std::uint64_t resolved = 0;
@@ -73,11 +73,11 @@ class PolygonReader {
 
  private:
   struct Scratch {
-    Array<std::uint32_t> ends;  ///< of the polygon's rings, counted from its first point
+    Array<std::uint32_t> ends;  ///< of the rings of the polygon, counted from its first point
     RingTree tree;
   };
 
-  /// False when the polygon's rings cannot be taken as they are.
+  /// False if the rings of the polygon cannot be used as they are.
   bool read_as_it_is(std::size_t polygon, Scratch& scratch, Strands& strands) const {
     const std::size_t begin = strands.points.size();
     scratch.ends.clear();
@@ -94,7 +94,7 @@ class PolygonReader {
     return taken;
   }
 
-  /// Of a layer, whose polygons may share edges, each is looked at here, as node_strands would have to.
+  /// In a layer, polygons may share edges. So each is tested here; otherwise node_strands would have to test it.
   bool add_ring(std::size_t polygon, std::span<const Point> closed, Scratch& scratch, Strands& strands) const {
     const std::span ring = closed.first(closed.size() - 1);
     const int convex = convex_turn(ring);
@@ -112,7 +112,7 @@ class PolygonReader {
     return true;
   }
 
-  /// Where rings of one polygon do not meet, its region lies to the left of every second one around a place.
+  /// If the rings of a polygon do not meet, its region lies left of every second ring around a point.
   bool add_rings(std::size_t polygon, std::span<const Point> points, Scratch& scratch, Strands& strands) const {
     scratch.tree.build(points, scratch.ends);
     const std::optional<bool> meet = scratch.tree.edges_meet();
@@ -148,7 +148,7 @@ class PolygonReader {
   const Resolve& resolve_;
 };
 
-/// Copies all strands of `from` to where there is room for them, from `first_point` and `first_strand`.
+/// Copies all strands of `from` into the room for them, which begins at `first_point` and `first_strand`.
 void put(const Strands& from, Strands& to, std::size_t first_point, std::size_t first_strand) {
   const auto strand = static_cast<std::ptrdiff_t>(first_strand);
   std::copy(from.points.begin(), from.points.end(), to.points.begin() + static_cast<std::ptrdiff_t>(first_point));
@@ -159,7 +159,7 @@ void put(const Strands& from, Strands& to, std::size_t first_point, std::size_t 
   std::copy(from.simplicity.begin(), from.simplicity.end(), to.simplicity.begin() + strand);
 }
 
-/// Appends the strands of all parts, one part after another, and leaves the parts empty.
+/// Appends the strands of all parts, one part after another, and empties the parts.
 void append(Strands& to, Array<Strands>& parts) {
   Array<std::size_t> first_point, first_strand;
   std::size_t points = to.points.size(), count = to.size();
@@ -182,7 +182,7 @@ void append(Strands& to, Array<Strands>& parts) {
 void collect_by_polygon(const Operand& operand, Group first_group, const Resolve& resolve, Strands& strands,
                         std::uint64_t& resolved_polygons) {
   const PolygonReader reader(operand, first_group, resolve);
-  // To look whether a ring meets itself takes some ten times as long as to pass its vertices.
+  // The test whether a ring meets itself takes about ten times as long as copying its vertices.
   const std::size_t count = operand.regions.polygon_count(),
                     polygons_a_part = grain(count, 8 * operand.regions.points.size());
   const std::size_t parts = range_count(count, polygons_a_part);

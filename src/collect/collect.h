@@ -1,11 +1,11 @@
-// Stage 1: the contours of both operands to strands of edges.
+// Stage 1: converts the contours of both operands to strands of edges.
 //
-// Degenerate contours are dropped, bad coordinates refused. Under a rule that reads polygons one by one each
-// polygon must enter with winding number 1 on its region and 0 elsewhere. Where its edges do not meet, which
-// plane/ring_tree.h tells for next to nothing, each ring is turned as its depth in the others asks (its winding change
-// is, the points stay where they are); otherwise the polygon is resolved by itself first (noding/resolve.h). The one
-// ring of an operand of one polygon is only assumed to be simple where it is not convex, and so is a ring that wanders
-// about too much to tell (node_strands.h).
+// Degenerate contours are dropped. Under a fill rule that uses polygons one by one, each polygon must have winding
+// number 1 in its region and 0 elsewhere. If its edges do not meet, which plane/ring_tree.h finds out at little cost,
+// the depth of each ring in the others decides its direction. (Its winding change is set; its points are not reversed.)
+// Otherwise the polygon is resolved first, separately (noding/resolve.h). Two kinds of rings are only assumed to be
+// simple (node_strands.h): the ring of an operand of one ring, unless it is convex, and a ring that winds too much for
+// the test.
 #pragma once
 
 #include <oblast/options.h>
@@ -29,7 +29,8 @@ struct Operand {
   std::span<const std::uint32_t> sources = {};
 };
 
-/// `resolved_polygons` grows by those whose rings were found to meet. Throws Error: too_large.
+/// Adds the number of polygons whose rings meet to `resolved_polygons`. Throws Error: too_large. REQUIRES: the operands
+/// are valid (regions/validate.h).
 noding::Strands collect(std::span<const Operand> operands, const Resolve& resolve, std::uint64_t& resolved_polygons);
 
 /// The operands of an overlay of two region sets. `b` may be null. Throws Error: too_large.

@@ -61,9 +61,9 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     p.b |= strands.change[s].b != 0;
   }
 
-  // Small parts of one batch are taken as the strands come, not as they lie: far from each other, they do not disturb
-  // each other's sweeps.
-  Array<std::uint32_t> size;  // by batch: its strands
+  // The small parts of a batch are taken in the order of the strands, not by position. Parts that are far from each
+  // other do not disturb each other's sweeps.
+  Array<std::uint32_t> size;  // by batch: the number of its strands
   std::size_t filled = tuning::batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
     steps();

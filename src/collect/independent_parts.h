@@ -1,13 +1,13 @@
-// Independent parts: strands that cannot meet those of another part, because no box of one touches a box
-// of another.
+// Independent parts: strands of one part cannot meet strands of another part, because no box of one touches a box of
+// the other.
 //
-//   +----+        +--+         Three strands, two parts: the boxes of the first two meet. Whatever noding does to
-//   |  +-|--+     |  |         a piece of an edge, it stays in the edge's box, so each part can be overlaid by
-//   +--|-+  |     +--+         itself, and no contour of one encloses one of another.
+//   +----+        +--+         Three strands, two parts: the boxes of the first two meet. Noding keeps each piece
+//   |  +-|--+     |  |         of an edge in the box of the edge. So each part can be overlaid separately, and no
+//   +--|-+  |     +--+         contour of one part encloses a contour of another.
 //      +----+
 //
-// A layer of many small contours falls into thousands of parts. Taken a few at a time they fit a processor's
-// cache, keep all cores busy without waiting for each other, and need little memory at once.
+// A layer of many small contours has thousands of parts. A few at a time fit a processor's cache and need little
+// memory, and all cores can work without waiting for each other.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,13 @@
 namespace oblast::internal {
 
 struct IndependentParts {
-  Array<std::uint32_t> strands;  ///< batch by batch; of a batch in an order that keeps neighbours together
-  Array<std::uint32_t> ends;     ///< by batch: past its last strand. A batch is one large part or several small
+  Array<std::uint32_t> strands;  ///< by batch; in a batch, neighbours are close to each other
+  Array<std::uint32_t> ends;     ///< by batch: the end of its strands. A batch is one large part or several small parts
 
   std::size_t size() const { return ends.size(); }
 };
 
-/// What a part must hold to matter.
+/// The operands that a part must contain to have a result.
 struct PartNeeds {
   bool a = false;
   bool b = false;
@@ -33,15 +33,15 @@ struct PartNeeds {
 /// False for a small call, and for one strand.
 bool worth_dividing(const noding::Strands& strands);
 
-/// Batches of parts. One batch of all strands where dividing would not pay; otherwise parts without an operand they
-/// need are left out. Parts may be larger than they have to be, never smaller. Cost: O(n log n) at most; memory
-/// O(strands).
+/// The batches of parts. If dividing would not save time, one batch of all strands. Otherwise parts without an operand
+/// that they need are left out. Parts may be larger than necessary, but never smaller. Cost: at most O(n log n) time,
+/// O(strands) memory.
 IndependentParts independent_parts(const noding::Strands& strands, PartNeeds needs);
 
 /// The strands of one batch.
 noding::Strands batch_of(const noding::Strands& strands, const IndependentParts& parts, std::size_t batch);
 
-/// The same for the caller's own strands, which are moved together instead of copied, in the order in which they stand.
+/// The same, but reuses the arrays of `strands`: its strands are moved together, in their order, and not copied.
 noding::Strands only_batch(noding::Strands strands, const IndependentParts& parts, std::size_t batch);
 
 }  // namespace oblast::internal

@@ -1,4 +1,4 @@
-// The public hulls: Lee's scan, its answer checked; region sets by the hulls of their contours.
+// The public hull functions: Lee's scan with a check of its result; for region sets, the hull of the hulls of contours.
 #include <oblast/hull.h>
 
 #include <algorithm>
@@ -17,15 +17,15 @@ namespace {
 
 using exact::orientation;
 
-/// Without repeated neighbours and without a closing point.
+/// The contour without repeated neighbours and without a closing point.
 Array<Point> cleaned(std::span<const Point> contour) {
   Array<Point> ring(contour.begin(), contour.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   return ring;
 }
 
-/// One side of a hull, from the smallest corner to the largest. Tells of any point between them on which side
-/// of it the point lies. Corners are found by buckets of equal width in x, of which there are as many as corners.
+/// One side of a hull, from the smallest corner to the largest. For any point between them, decides on which side of it
+/// the point lies. Corners are found in buckets of equal width in x, as many as corners.
 class HullSide {
  public:
   explicit HullSide(Array<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1, 0) {
@@ -43,10 +43,10 @@ class HullSide {
     return true;
   }
 
-  /// REQUIRES: p between the smallest and the largest corner, or one of them.
+  /// REQUIRES: p is between the smallest and the largest corner, or equals one of them.
   int side_of(const Point& p) const {
     const std::size_t b = bucket(p);
-    // Rounding is monotone: corners of other buckets are smaller or larger in x than p, as their buckets are.
+    // Rounding is monotone: corners in smaller (larger) buckets have a smaller (larger) x than p.
     const auto after =
         std::upper_bound(corners_.begin() + first_[b], corners_.begin() + first_[b + 1], p, lexicographically_less);
     const auto edge = std::min(after, corners_.end() - 1) - 1;
@@ -63,7 +63,7 @@ class HullSide {
   double scale_ = 0;
 };
 
-/// True when `hull`, counter-clockwise from its smallest corner, is strictly convex and holds all points of the ring.
+/// True if `hull`, counter-clockwise from its smallest corner, is strictly convex and contains all points of the ring.
 bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   if (hull.size() < 3) return false;
   const auto largest = std::max_element(hull.begin(), hull.end(), lexicographically_less);
@@ -73,13 +73,13 @@ bool is_hull_of(std::span<const Point> hull, std::span<const Point> ring) {
   std::reverse(above.begin(), above.end());
   const HullSide upper(std::move(above));
   if (!upper.turns(-1) || !lower.turns(1)) return false;
-  // Above the line from the smallest to the largest corner only the upper side can leave a point out.
+  // Above the line from the smallest to the largest corner, only the upper side can exclude a point.
   return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
     return orientation(hull.front(), *largest, p) > 0 ? upper.side_of(p) <= 0 : lower.side_of(p) >= 0;
   });
 }
 
-/// Of one contour; its corners.
+/// The corners of the hull of one contour.
 Array<Point> hull_of(std::span<const Point> contour) {
   while (contour.size() > 1 && contour.back() == contour.front()) contour = contour.first(contour.size() - 1);
   Array<Point> copy;

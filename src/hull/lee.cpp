@@ -1,20 +1,20 @@
-// Lee's linear hull of a simple polygon, as told by Preparata and Shamos, section 4.1.4.
+// Lee's linear-time hull of a simple polygon, as in Preparata and Shamos, section 4.1.4.
 //
-// Idea: the smallest vertex p1 and the largest pM part the clockwise ring into two chains; here the upper
-// one, from p1 to pM, is walked (the lower one is the same walk from pM to p1, turned by 180 degrees). A
-// counter-clockwise ring is walked as it is, seen in a mirror: left and right are exchanged.
-// One stack holds the critical vertices q1 = p1, q2, .., qi. The edge q(i-1) qi is the lid of a pocket: the
-// boundary between the two. The vertex v that follows qi on the boundary lies in one of four regions:
+// Idea: the smallest vertex p1 and the largest vertex pM divide the clockwise ring into two chains. Described here is
+// the walk along the upper chain, from p1 to pM. The lower chain is the same walk from pM to p1, rotated by 180
+// degrees. A counter-clockwise ring is walked in a mirror: left and right are exchanged. A stack has the critical
+// vertices q1 = p1, q2, .., qi. The edge q(i-1) qi is the lid of a pocket, which is the boundary between the two. The
+// vertex v that follows qi on the boundary lies in one of four regions:
 //
 //                    (3)                     u: the vertex before qi on the boundary
-//        q(i-1) =====lid===== qi             (1) in the pocket: go on until the boundary comes out
+//        q(i-1) =====lid===== qi             (1) in the pocket: continue until the boundary comes out
 //          |   (1)          / | `-._             through the lid; that vertex is in (3)
 //          |  pocket .----u   |(2)  `-._     (2) right of the lid, above qi pM: a critical vertex
-//           `-------'      (4)          pM   (3) left of the lid: lids it can see fall, then critical
-//                                            (4) below qi pM: go on until the boundary comes up again
+//           `-------'      (4)          pM   (3) left of the lid: remove the lids it can see; then critical
+//                                            (4) below qi pM: continue until the boundary comes up again
 //
-// A pocket is left through its lid only, since the ring is simple (Jordan): that is where Sklansky's scan
-// of 1972, which has no regions (1) and (4), goes wrong.
+// The ring is simple, so the boundary can leave a pocket only through its lid (Jordan). Sklansky's scan of 1972 does
+// not have the regions (1) and (4), and fails there.
 #include "hull/lee.h"
 
 #include <algorithm>
@@ -45,12 +45,13 @@ class Walk {
   std::size_t at_, last_;
 };
 
-/// v is on the line (p, q): beyond q?
+/// True if v is beyond q. REQUIRES: v is on the line (p, q).
 bool beyond(const Point& p, const Point& q, const Point& v) {
   return lexicographically_less(p, q) == lexicographically_less(q, v);
 }
 
-/// Appends the hull of one chain, its last vertex left out. `mirror`: 1 for a clockwise ring, -1 for the other.
+/// Appends the hull of one chain, without its last vertex. `mirror`: 1 for a clockwise ring, -1 for a counter-clockwise
+/// one.
 template <int mirror>
 void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size_t last, Array<Point>& hull) {
   const auto orientation = [](const Point& a, const Point& b, const Point& c) {
@@ -61,7 +62,7 @@ void append_chain_hull(std::span<const Point> ring, std::size_t first, std::size
   hull.push_back(ring[first]);
   Walk walk(ring, first, last);
   while (!walk.at_end()) {
-    // qi is the vertex where the walk is; u is before it.
+    // The walk is at the vertex qi; u is the vertex before it.
     const Point u = walk.before(), qi = walk.here();
     Point v = walk.step();
     bool left_of_lid = false;

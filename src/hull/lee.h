@@ -9,9 +9,9 @@
 
 namespace oblast::internal {
 
-/// The hull's corners, counter-clockwise from the smallest vertex. `ring`: without repeated neighbours, at least three
-/// vertices; `direction`: 1 for a counter-clockwise ring, -1 for a clockwise one. The answer is the hull when the ring
-/// is simple. Cost: linear.
+/// The corners of the hull, counter-clockwise from the smallest vertex. `direction`: 1 for a counter-clockwise ring, -1
+/// for a clockwise one. The result is the hull if the ring is simple. REQUIRES: at least three vertices, no repeated
+/// neighbours. Cost: linear.
 Array<Point> lee_hull(std::span<const Point> ring, int direction);
 
 /// The hull of any points, counter-clockwise from the smallest (Andrew 1979). Sorts `points`. Cost: O(n log n).

@@ -1,4 +1,4 @@
-// Coordinate systems by their WKT: are two the same, and which of a layer's files disagree.
+// Compares coordinate systems, given as WKT.
 #pragma once
 
 #include <set>
@@ -6,26 +6,27 @@
 
 namespace oblast::io {
 
-/// True when both texts name the same coordinate system, or when one of them is empty (a file
-/// without one goes with any). Coordinates are always x = longitude or easting, y = latitude or
-/// northing, so the order of axes a text declares does not matter: GeoJSON's CRS84 is EPSG:4326.
+/// True if both texts name the same coordinate system, or if one of them is empty (a file without a coordinate system
+/// matches any). x is always longitude or easting, and y latitude or northing. So the order of axes in a text does not
+/// matter: GeoJSON's CRS84 is EPSG:4326.
 bool same_crs(const std::string& wkt_a, const std::string& wkt_b);
 
 /// The coordinate system that the files of one operand share.
 class CommonCrs {
  public:
-  /// `file` has this system (empty: none). Throws IoError naming both files when it contradicts an earlier one.
+  /// Adds the system of `file` (empty: none). Throws IoError, which names both files, if it differs from an earlier
+  /// one.
   void add(const std::string& wkt, const std::string& file);
-  /// Empty when no file named one.
+  /// Empty if no file names a system.
   const std::string& wkt() const { return wkt_; }
 
  private:
   std::string wkt_;
   std::string file_;
-  std::set<std::string> accepted_;  ///< texts found to be the same: comparing can take a tenth of a second
+  std::set<std::string> accepted_;  ///< texts already known to be the same: a comparison can take a tenth of a second
 };
 
-/// The name a person knows: "WGS 84 (EPSG:4326)"; "none" for an empty text.
+/// The name for messages: "WGS 84 (EPSG:4326)"; "none" for an empty text.
 std::string crs_name(const std::string& wkt);
 
 }  // namespace oblast::io

@@ -1,4 +1,4 @@
-// The authority's code of a coordinate system; for use inside src/io, as it speaks GDAL.
+// The authority's code of a coordinate system. Only for use inside src/io, because it has GDAL types.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@ class OGRSpatialReference;
 
 namespace oblast::io {
 
-/// "EPSG:4326", also where the text carries no code but PROJ's database knows the system. Empty otherwise.
+/// A code such as "EPSG:4326". If the text has none, PROJ's database is searched for the system. Empty if there is no
+/// code.
 std::string crs_code(const OGRSpatialReference& crs);
 
 }  // namespace oblast::io

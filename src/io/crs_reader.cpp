@@ -1,4 +1,4 @@
-// From a layer's or a .prj file's coordinate system to WKT; see crs_reader.h.
+// Converts the coordinate system of a layer or of a .prj file to WKT; see crs_reader.h.
 #include "io/crs_reader.h"
 
 #include <ogrsf_frmts.h>
@@ -18,7 +18,7 @@ namespace oblast::io {
 namespace {
 
 std::string wkt_of(const OGRSpatialReference& crs) {
-  // A GeoPackage without a coordinate system says so with a system of this name.
+  // A GeoPackage without a coordinate system has a system of this name.
   const char* title = crs.GetName();
   if (title && std::string_view(title).starts_with("Undefined ")) return {};
   const char* const wkt2[] = {"FORMAT=WKT2_2019", nullptr};
@@ -29,9 +29,9 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   return result;
 }
 
-// GDAL compares a .prj with every system of PROJ's database, a tenth of a second for one that is not
-// there. The files of a folder mostly share one text, so that is done once a text. (For each layer GDAL still
-// parses the .prj, without comparing.)
+// GDAL compares a .prj with every system in PROJ's database. This takes a tenth of a second if the database does not
+// have it. Most files of a folder have the same text, so each text is compared once. (GDAL still parses the .prj of
+// each layer, without the comparison.)
 std::string shapefile_crs(OGRLayer& layer, const std::string& path) {
   static std::mutex lock;
   static std::map<std::string, std::string> wkt_of_prj;
@@ -44,7 +44,10 @@ std::string shapefile_crs(OGRLayer& layer, const std::string& path) {
   if (known != wkt_of_prj.end()) return known->second;
   const ThreadOption compare("USE_OSR_FIND_MATCHES", "YES");
   const OGRSpatialReference* crs = layer.GetSpatialRef();
-  if (!crs) throw IoError(file + " does not hold a coordinate system that GDAL understands");
+  if (!crs)
+    throw IoError(file +
+                  " has no coordinate system that GDAL understands; correct the file, or remove it to read the "
+                  "layer without a coordinate system");
   return wkt_of_prj[text] = wkt_of(*crs);
 }
 

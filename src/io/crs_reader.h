@@ -1,4 +1,4 @@
-// The coordinate system of an open layer; for use inside src/io, as it speaks GDAL.
+// The coordinate system of an open layer. Only for use inside src/io, because it has GDAL types.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@ class OGRLayer;
 
 namespace oblast::io {
 
-/// As WKT (2019); empty where the layer has none. `path` is the layer's file. Throws IoError for a
-/// .prj that cannot be understood. May be called from several threads.
+/// The coordinate system as WKT (2019); empty if the layer has none. `path` is the file of the layer. Throws IoError if
+/// GDAL does not understand the .prj file. Several threads may call it.
 std::string read_crs(OGRLayer& layer, const std::string& path);
 
 }  // namespace oblast::io

@@ -1,8 +1,8 @@
-// Putting the polygons of a FlatGeobuf file back into the order they were written in.
+// Restores the order in which the polygons of a FlatGeobuf file were written.
 //
-// FlatGeobuf's spatial index wants features sorted along a Hilbert curve, so the file's order is not
-// the writer's. Our files carry the attribute `polygon`, the number each polygon had: where it is a
-// permutation of 0..n-1, reading restores that order, and a result stays canonical (promise G3).
+// FlatGeobuf's spatial index sorts features along a Hilbert curve, so the file does not keep the order of the writer.
+// Our files have the attribute `polygon`, the number of each polygon. If its values are a permutation of 0 to n-1,
+// reading restores that order, and a result stays canonical (promise G3).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The vector formats known by their file name extension.
+// The vector formats, recognised by their file name extension.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@ namespace oblast::io {
 
 struct Format {
   std::string_view extension;  ///< lower case, with its dot
-  /// GDAL's drivers that may open it, ended by nullptr: naming them spares probing all others.
-  /// None for WKT, which is read here.
+  /// GDAL's drivers that can open the format, with nullptr at the end, so that GDAL does not try all others. None for
+  /// WKT, which GDAL does not read here.
   const char* drivers[5];
   const char* writer;  ///< GDAL's driver that writes it, or nullptr
-  bool writable;       ///< by GDAL or by ourselves
-  bool may_be_other;   ///< the extension is also used for files that are no vector data
+  bool writable;       ///< by GDAL or by our own code
+  bool may_be_other;   ///< files with this extension may also be something else than vector data
 };
 
 std::span<const Format> formats();
 
-/// nullptr for an extension that is not in the list.
+/// nullptr if the extension is not in the list.
 const Format* format_of(const std::string& path);
 
 /// ".shp .gpkg .geojson": for messages.

@@ -1,11 +1,11 @@
-// Reading one file with GDAL: layers, features, geometries, in the file's order.
+// Reads one file with GDAL: layers, features, geometries, in the order of the file.
 //
-// Shapefiles. A record is a list of rings without a word on which is whose hole; ESRI's description
-// gives outer rings clockwise, holes anticlockwise, and outer rings of one record may not overlap. So
-// a record's region is the even-odd of its rings, whatever their grouping. GDAL would group them
-// into polygons by direction and containment, which is quadratic at worst and a guess where a
-// writer got the directions wrong. We tell it to leave the rings alone and take each record as one polygon. Its
-// rings are turned round, so that outer ones run anticlockwise as in all other formats.
+// Shapefiles. A record is a list of rings. It does not say which ring is a hole of which. In ESRI's description outer
+// rings run clockwise and holes counter-clockwise, and outer rings of one record do not overlap. So the region of a
+// record is the even-odd of its rings, however they are grouped. GDAL groups them into polygons by direction and
+// containment. That takes quadratic time in the worst case, and is a guess if the writer used wrong directions. Here
+// GDAL is told not to group, and each record becomes one polygon. Its rings are reversed: then outer rings run
+// counter-clockwise, as in all other formats.
 #include "io/gdal_reader.h"
 
 #include <gdal_priv.h>
@@ -48,7 +48,7 @@ void add_polygon(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<P
   builder.refuse(type + " is not a polygon of the plane");
 }
 
-// GDAL's readers nest collections at most a few dozen deep.
+// The recursion is shallow: GDAL's readers accept collections that are nested a few dozen levels deep at most.
 void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
   switch (wkbFlatten(geometry.getGeometryType())) {
     case wkbPolygon:
@@ -70,7 +70,7 @@ void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vecto
   }
 }
 
-// A shapefile's record: all its rings are one polygon (see above).
+// A record of a shapefile: all its rings are one polygon (see above).
 void add_record(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
   if (type != wkbMultiPolygon && type != wkbGeometryCollection) return add_geometry(geometry, builder, scratch);
@@ -100,13 +100,13 @@ struct File {
   bool flatgeobuf = false;
 };
 
-// A FlatGeobuf file cut off in its index reads as an empty one, but its header still knows the count
-// (0 stands for unknown).
+// If a FlatGeobuf file is cut off in its index, GDAL reads an empty layer. But the header still has the number of
+// features (0 means unknown).
 void check_count(OGRLayer& source, std::uint64_t features, const std::string& file) {
   const auto declared = static_cast<std::uint64_t>(std::max<GIntBig>(0, source.GetFeatureCount(FALSE)));
   if (declared == 0 || declared == features) return;
-  throw IoError(file + " is truncated: its header declares " + std::to_string(declared) + " features, " +
-                std::to_string(features) + " can be read");
+  throw IoError(file + " is truncated: its header declares " + std::to_string(declared) + " features, but only " +
+                std::to_string(features) + " can be read; copy or export the file again");
 }
 
 void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
@@ -145,7 +145,7 @@ void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages
 Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
   register_gdal_drivers();
   GdalMessages messages;
-  // Listing the folder again for each of its thousands of files would be quadratic.
+  // Without this, GDAL lists the folder again for each file: quadratic in the number of files.
   const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
   const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
   const ThreadOption no_repair("SHAPE_RESTORE_SHX", "NO");
@@ -158,7 +158,8 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
   const std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                         format && format->drivers[0] ? format->drivers : nullptr));
-  if (!dataset) throw IoError(path + " is not a vector file that can be read: " + messages.text("no driver knows it"));
+  if (!dataset)
+    throw IoError(path + " is not a vector file that can be read: " + messages.text("no driver of GDAL recognises it"));
 
   Layer layer;
   CommonCrs crs;
@@ -166,10 +167,10 @@ Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
     if (source->GetGeomType() == wkbNone) continue;  // a table of attributes
     layer.files.push_back(dataset->GetLayerCount() == 1 ? path : path + " (layer " + source->GetName() + ")");
     crs.add(read_crs(*source, path), layer.files.back());
-    messages.clear();  // what was said so far did not keep the file from being opened
+    messages.clear();  // the file was opened in spite of these messages
     read_layer(*source, file, messages, options, layer);
   }
-  if (layer.files.empty()) throw IoError(path + " holds no layer with geometry");
+  if (layer.files.empty()) throw IoError(path + " has no layer with geometry");
   layer.crs_wkt = crs.wkt();
   return layer;
 }

@@ -8,7 +8,7 @@
 
 namespace oblast::io {
 
-/// Every polygon of every layer of one file. May be called from several threads. Throws IoError.
+/// Every polygon of every layer of one file. Several threads may call it. Throws IoError.
 Layer read_with_gdal(const std::string& path, const ReadOptions& options);
 
 }  // namespace oblast::io

@@ -1,5 +1,5 @@
-// What every use of GDAL here needs: drivers registered once, its messages caught instead of printed,
-// its options set for the calling thread only and put back.
+// The frame for every use of GDAL: drivers are registered once, messages are caught and not printed, and options are
+// set for the calling thread only and restored.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace oblast::io {
 /// Registers GDAL's drivers; only the first call does anything.
 void register_gdal_drivers();
 
-/// While it lives, catches what GDAL has to say on this thread.
+/// While an object of this class exists, it catches GDAL's messages on this thread.
 class GdalMessages {
  public:
   GdalMessages();
@@ -30,7 +30,7 @@ class GdalMessages {
   std::string warning_;
 };
 
-/// While it lives, a GDAL configuration option has a value on this thread.
+/// While an object of this class exists, a GDAL configuration option has the given value on this thread.
 class ThreadOption {
  public:
   ThreadOption(const char* name, const char* value);

@@ -1,4 +1,4 @@
-// Writing Shapefile, GeoPackage and FlatGeobuf with GDAL.
+// Writes Shapefile, GeoPackage and FlatGeobuf with GDAL.
 #include "io/gdal_writer.h"
 
 #include <gdal_priv.h>
@@ -32,13 +32,13 @@ double twice_signed_area(std::span<const Point> contour) {
   return sum;
 }
 
-// How contours are directed in a file.
+// The directions of contours in a file.
 enum class Direction {
   as_given,  ///< a result's: outer anticlockwise, holes clockwise
   esri,      ///< Shapefile demands the outer contour clockwise and holes anticlockwise
 };
 
-// The contour as a closed ring; its first vertex stays the first when it is turned round.
+// The contour as a closed ring. If it is reversed, its first vertex stays the first.
 void add_ring(OGRPolygon& polygon, std::span<const Point> contour, bool reverse, std::vector<Point>& scratch) {
   scratch.assign(contour.begin(), contour.end());
   if (reverse) std::reverse(scratch.begin() + 1, scratch.end());
@@ -64,13 +64,13 @@ std::unique_ptr<OGRPolygon> make_polygon(const RegionView& regions, std::size_t 
   return polygon;
 }
 
-// GDAL calls report by return value, by message, or by both: any of them is an error here.
+// GDAL reports errors by return value, by message, or by both. Either is an error here.
 class Check {
  public:
   Check(const GdalMessages& messages, const std::string& name) : messages_(messages), name_(name) {}
   void operator()(bool good) const {
     if (good && !messages_.failed()) return;
-    throw IoError("cannot write " + name_ + ": " + messages_.text("the file system or GDAL refused, without a reason"));
+    throw IoError("cannot write " + name_ + ": " + messages_.text("GDAL failed and gave no reason"));
   }
 
  private:
@@ -89,8 +89,8 @@ void write_features(OGRLayer& layer, const RegionView& regions, std::span<const 
   }
 }
 
-// Buffered data can be lost at the very last moment, when a file is closed on a full disk, and not
-// every driver says so. What can be read back was written.
+// Buffered data can be lost when a file is closed on a full disk, and not every driver reports this. So the file is
+// read back.
 void check_complete(const std::string& path, const char* driver, const RegionView& regions, const std::string& name) {
   GdalMessages messages;
   const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
@@ -131,9 +131,9 @@ void write_with_gdal(const std::string& path, const char* driver_name, const Reg
   {
     GdalMessages messages;
     const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
-    // The file has no older contents to protect and is renamed only when whole.
+    // The file has no older contents to protect, and is renamed only after it is complete.
     const ThreadOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-    // We direct the rings; GDAL's own way compares every ring of a polygon with every other.
+    // The rings have the right directions already. GDAL would compare every ring of a polygon with every other.
     const ThreadOption no_rewind("SHAPE_REWIND_ON_WRITE", "NO");
     const Check check(messages, name);
 

@@ -1,5 +1,5 @@
-// GeoJSON (RFC 7946), with the `crs` member of its predecessor, the 2008 specification, where a layer is not
-// in longitude and latitude of WGS 84. Rings are not turned, split or rounded.
+// GeoJSON (RFC 7946). If a layer is not in longitude and latitude of WGS 84, the file has the `crs` member of the 2008
+// specification, the predecessor of the RFC. Rings are not reversed, split or rounded.
 #include "io/geojson_writer.h"
 
 #include <fmt/format.h>
@@ -82,8 +82,8 @@ std::string geojson_crs_code(const std::string& crs_wkt) {
   std::string code;
   if (crs.importFromWkt(crs_wkt.c_str()) == OGRERR_NONE) code = crs_code(crs);
   if (code.empty()) {
-    throw IoError("GeoJSON names a coordinate system by its code, and " + crs_name(crs_wkt) +
-                  " has none: write .gpkg, .fgb or .shp");
+    throw IoError("GeoJSON names a coordinate system by its code, but " + crs_name(crs_wkt) +
+                  " has none; write .gpkg, .fgb or .shp instead");
   }
   return code;
 }

@@ -9,15 +9,15 @@
 
 namespace oblast::io {
 
-/// A FeatureCollection, one feature a line, coordinates with the shortest digits that read back to the
-/// same bits. (GDAL's writer gives 17 digits where 4 would do, and its reader's speed pays for them.)
-/// `crs_code` is the code of the coordinate system ("EPSG:3035"), or empty where there is none.
-/// The property `polygon` is from `numbers`, or where that is empty the polygon's place.
+/// A FeatureCollection with one feature per line. Coordinates have the fewest digits that read back to the same bits.
+/// (GDAL's writer prints 17 digits even if 4 suffice, which makes reading slower.) `crs_code` is the code of the
+/// coordinate system ("EPSG:3035"), or empty if there is none. The property `polygon` is the number from `numbers`, or
+/// the position of the polygon if `numbers` is empty.
 std::string to_geojson(const RegionView& regions, const std::string& crs_code,
                        std::span<const std::int32_t> numbers = {});
 
-/// How GeoJSON may name the coordinate system: "" for none. Throws IoError where a code is lacking:
-/// GeoJSON has no other way to name one, and readers take a file without one for longitude and latitude.
+/// The code by which GeoJSON names the coordinate system; "" for none. Throws IoError if the system has no code:
+/// GeoJSON cannot name it otherwise, and readers assume longitude and latitude for a file without a name.
 std::string geojson_crs_code(const std::string& crs_wkt);
 
 }  // namespace oblast::io

@@ -12,7 +12,7 @@ namespace oblast::io {
 
 namespace {
 
-// The library's indices are 32-bit and it refuses more edges than this in one call (error.h).
+// The library has 32-bit indices and refuses more vertices than this in one call (error.h).
 constexpr std::size_t most_vertices = std::numeric_limits<std::int32_t>::max();
 
 std::string fault_of(double coordinate) {
@@ -90,7 +90,7 @@ void LayerBuilder::line(const std::string& type) { pass_over(type, layer_.report
 void LayerBuilder::point(const std::string& type) { pass_over(type, layer_.report.points); }
 
 void LayerBuilder::pass_over(const std::string& type, std::uint64_t& count) {
-  if (other_ == OtherGeometry::refuse) refuse("is a " + type + ", not a polygon");
+  if (other_ == OtherGeometry::refuse) refuse("it is a " + type + ", not a polygon");
   ++count;
   other_seen_ = true;
 }

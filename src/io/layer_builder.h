@@ -1,4 +1,4 @@
-// Gathers features, polygons and rings of one file into a Layer, checking every coordinate on the way.
+// Collects the features, polygons and rings of one file in a Layer, and checks every coordinate.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,13 @@ class LayerBuilder {
   void end_polygon();
   void end_feature();
 
-  /// From now on rings are turned round, their first vertex kept: outer rings of a shapefile run
-  /// clockwise, everywhere else anticlockwise.
+  /// From now on rings are reversed, and keep their first vertex. For shapefiles, whose outer rings run clockwise.
   void turn_rings() { turn_ = true; }
 
   void null_geometry();
   void with_z() { has_z_ = true; }
   void with_m() { has_m_ = true; }
-  /// A line or point among the polygons: counted, or refused when told so.
+  /// A line or a point among the polygons: counted, or refused with OtherGeometry::refuse.
   void line(const std::string& type);
   void point(const std::string& type);
   [[noreturn]] void refuse(const std::string& reason) const;
@@ -51,7 +50,7 @@ class LayerBuilder {
   std::int64_t feature_ = 0;
   std::string extra_;
   std::uint32_t first_polygon_ = 0;  // of the feature
-  std::uint64_t part_ = 0;           // counted from 1, empty ones too, for messages
+  std::uint64_t part_ = 0;           // number for messages: counted from 1, with empty parts
   std::uint64_t ring_ = 0;
   bool has_z_ = false;
   bool has_m_ = false;

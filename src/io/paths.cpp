@@ -30,7 +30,7 @@ bool is_vector_file(const std::string& path) {
   return GDALIdentifyDriverEx(path.c_str(), GDAL_OF_VECTOR, format->drivers, nullptr) != nullptr;
 }
 
-// A shapefile that has lost its .shp would otherwise be passed over without a word.
+// Without this check, a shapefile without its .shp file would be skipped silently.
 void refuse_headless_shapefiles(const std::vector<fs::path>& files) {
   std::set<std::string> shapes;
   for (const fs::path& file : files) {
@@ -38,7 +38,7 @@ void refuse_headless_shapefiles(const std::vector<fs::path>& files) {
   }
   for (const fs::path& file : files) {
     if (lower_extension(file.string()) == ".shx" && !shapes.contains(file.stem().string())) {
-      throw IoError(file.string() + " has no .shp file beside it");
+      throw IoError(file.string() + " has no .shp file beside it: the shapefile is incomplete; add the .shp file");
     }
   }
 }
@@ -60,7 +60,7 @@ std::vector<std::string> vector_files_in(const std::string& folder) {
   }
   std::sort(found.begin(), found.end());
   if (found.empty())
-    throw IoError("no vector files in the folder " + folder + " (looked for " + readable_extensions() + ")");
+    throw IoError("no vector files in the folder " + folder + " (readable: " + readable_extensions() + ")");
   return found;
 }
 
@@ -82,8 +82,8 @@ std::vector<std::string> expand_paths(std::span<const std::string> paths) {
       files.push_back(path);
     }
   }
-  if (files.empty()) throw IoError("no input was named");
-  if (std::count(files.begin(), files.end(), "-") > 1) throw IoError("standard input (-) can be read only once");
+  if (files.empty()) throw IoError("no input: name a file, a folder, or `-` for standard input");
+  if (std::count(files.begin(), files.end(), "-") > 1) throw IoError("standard input (-) can be named only once");
   return files;
 }
 

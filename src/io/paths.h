@@ -1,4 +1,4 @@
-// From what a person names (files, folders, standard input) to the list of files to read.
+// Expands the names on the command line (files, folders, standard input) to a list of files.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace oblast::io {
 
-/// Folders are replaced by the vector files in them, by name (bytes compared); `-` stays. Throws
-/// IoError for what does not exist and for a folder without vector files.
+/// Replaces each folder by the vector files in it, sorted by the bytes of their names. `-` stays. Throws IoError for a
+/// name that does not exist, and for a folder without vector files.
 std::vector<std::string> expand_paths(std::span<const std::string> paths);
 
-/// The whole of a file, or of standard input for `-`. Throws IoError.
+/// The contents of a file, or of standard input for `-`. Throws IoError.
 std::string read_text(const std::string& path);
 
 }  // namespace oblast::io

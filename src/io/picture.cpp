@@ -1,4 +1,4 @@
-// The layout of a picture: title and legend, the main panel, and the enlarged one where it is needed.
+// The layout of a picture: title, legend, the main panel, and an enlarged panel if it is needed.
 //
 //     title
 //     [A] fires: 20,634 contours   [ ] union: 12,841 contours      legend
@@ -69,7 +69,7 @@ struct Panels {
   double page_height = 0;
 };
 
-// Panels for data of this extent; the enlarged one goes below wide data and beside tall data.
+// The panels for data of this extent. The enlarged panel is below wide data and beside tall data.
 Panels lay_out(const Picture& picture, const Window& window) {
   double squeeze = 1;
   if (picture.projection == MapProjection::longitude_latitude) {
@@ -149,7 +149,7 @@ DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::str
   return panel;
 }
 
-// The window of the enlarged panel in the main one, never smaller than can be seen.
+// Marks the window of the enlarged panel in the main panel, large enough to be visible.
 std::string mark_zoom(const Frame& main, const Frame& zoom) {
   const double width = std::max(8.0, zoom.window.width() * main.x_scale),
                height = std::max(8.0, zoom.window.height() * main.y_scale);
@@ -221,10 +221,10 @@ void check_picture_writable(const std::string& path, Existing existing) {
   std::error_code error;
   const fs::path parent = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
   if (!fs::is_directory(parent, error))
-    throw IoError("cannot write " + path + ": there is no folder " + parent.string());
+    throw IoError("cannot write " + path + ": there is no folder " + parent.string() + "; create it first");
   if (fs::is_directory(path, error)) throw IoError("cannot write " + path + ": it is a folder");
   if (existing == Existing::refuse && fs::exists(fs::symlink_status(path, error))) {
-    throw IoError(path + " exists already; it is replaced only when overwriting is asked for");
+    throw IoError(path + " exists already (--overwrite replaces it)");
   }
   if (::access(parent.c_str(), W_OK | X_OK) != 0)
     throw IoError("cannot write into " + parent.string() + ": " + std::strerror(errno));

@@ -1,4 +1,4 @@
-// SVG pictures a person can judge.
+// SVG pictures of operands and results.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -9,7 +9,7 @@
 
 namespace oblast::io {
 
-/// How coordinates become a drawing: as they are, or degrees scaled by the cosine of the mean latitude.
+/// How coordinates are drawn: as they are, or as degrees scaled by the cosine of the mean latitude.
 enum class MapProjection { plane, longitude_latitude };
 
 struct Picture {
@@ -23,13 +23,13 @@ struct Picture {
   MapProjection projection = MapProjection::plane;
 };
 
-/// Writes an SVG with a legend, axes and a scale bar; where the detail is finer than a pixel, a second
-/// panel shows the densest place enlarged. However large the input, the file stays within about 4 MB:
-/// vertices are snapped to a tenth of a pixel or coarser, and contours below a pixel are gathered
-/// into dots. Throws IoError; then an older file at `path` is untouched.
+/// Writes an SVG with a legend, axes and a scale bar. If details are smaller than a pixel, a second panel shows the
+/// densest place enlarged. The file has at most about 4 MB for any input: vertices are snapped to a tenth of a pixel or
+/// coarser, and contours smaller than a pixel are shown as dots. Throws IoError; then an older file at `path` is
+/// unchanged.
 void write_svg(const std::string& path, const Picture& picture, Existing existing = Existing::refuse);
 
-/// Throws IoError when `path` cannot be written. Call it before the work.
+/// Throws IoError if `path` cannot be written. Call it before the computation.
 void check_picture_writable(const std::string& path, Existing existing = Existing::refuse);
 
 /// The text of the picture.

@@ -20,7 +20,7 @@ double round_length(double length) {
   return power;
 }
 
-// As many digits as tell neighbouring ticks apart.
+// With enough digits to distinguish neighbouring ticks.
 std::string number(double value, double step) {
   if (std::fabs(value) < step / 2) return "0";
   if (step < 1e-9 || std::fabs(value) >= 1e9) return fmt::format("{:.12g}", value);
@@ -43,7 +43,7 @@ std::string draw_axes(const Frame& frame) {
     text += fmt::format("<path d=\"M{:.1f} {:.1f}v5\"/>", x, bottom);
     labels += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x, bottom + 17,
                           number(k * x_step, x_step));
-    if (k + 1 == k) break;  // a window far from the origin: its ticks are closer than numbers can be
+    if (k + 1 == k) break;  // the window is so far from the origin that doubles cannot distinguish its ticks
   }
   for (double k = std::ceil(frame.window.y0 / y_step); k * y_step <= frame.window.y1; ++k) {
     const double y = frame.py(k * y_step);

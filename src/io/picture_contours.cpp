@@ -1,5 +1,5 @@
-// Clip to the panel, snap to a lattice of a tenth of a pixel or coarser, drop what that makes
-// superfluous, gather what falls below a pixel.
+// Clips contours to the panel, snaps them to a lattice of a tenth of a pixel or coarser, removes vertices that have
+// become redundant, and shows contours smaller than a pixel as dots.
 #include "io/picture_contours.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace oblast::io {
 
 namespace {
 
-constexpr std::size_t budget = 700'000;  // bytes a view and panel
-constexpr double clip_margin = 5;        // pixels beyond the panel, so that cut edges stay out of sight
+constexpr std::size_t budget = 700'000;  // bytes per view and panel
+constexpr double clip_margin = 5;        // pixels beyond the panel; the edges made by clipping are invisible there
 
 struct Snapped {  // tenths of a pixel
   std::int64_t x = 0, y = 0;
@@ -99,7 +99,7 @@ class Drawing {
     append_path(path);
   }
 
-  // Drops vertices that fall together, lie on the line through their neighbours, or make a spike.
+  // Removes vertices that coincide, lie on the line through their neighbours, or make a spike.
   void snap() {
     const double tenths = std::round(step_ * 10);
     snapped_.clear();
@@ -138,7 +138,7 @@ class Drawing {
     ++dots_[{static_cast<std::int64_t>(std::floor(y / dot_)), static_cast<std::int64_t>(std::floor(x / dot_))}];
   }
 
-  // Runs of neighbouring dots in a row make one rectangle.
+  // Adjacent dots in a row become one rectangle.
   void draw_dots() {
     const auto side = static_cast<std::int64_t>(std::round(dot_ * 10));
     std::string& path = result_.dots;

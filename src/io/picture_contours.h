@@ -10,7 +10,7 @@
 
 namespace oblast::io {
 
-/// One view as drawn in one panel. Paths are in tenths of a pixel.
+/// One view, drawn in one panel. Paths are in tenths of a pixel.
 struct DrawnContours {
   std::string polygons;        ///< `<path .../>` for each polygon (each even-odd of its own contours)
   std::string outlines;        ///< the same contours as the data of one path
@@ -23,8 +23,8 @@ struct DrawnContours {
 /// Which texts are wanted: fills for operands, outlines for results.
 enum class DrawAs { polygons, outlines };
 
-/// Draws what of the view lies in the frame. `dot` is the side of a dot, in pixels. The texts
-/// together stay below about 700,000 bytes: the lattice vertices snap to is coarsened until they do.
+/// Draws the part of the view that lies in the frame. `dot` is the side of a dot, in pixels. All texts together have
+/// fewer than about 700,000 bytes: the lattice to which vertices are snapped is made coarser until this holds.
 DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot);
 
 }  // namespace oblast::io

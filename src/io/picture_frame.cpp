@@ -16,7 +16,7 @@ constexpr double enlarged_edge = 14;  // pixels a median edge gets in the enlarg
 constexpr double largest_zoom = 1e6;
 constexpr std::size_t sample_size = 20000;
 
-// The median length of the view's edges as drawn in the frame, in pixels; from a sample.
+// The median length in pixels of the view's edges in the frame, estimated from a sample.
 double median_edge(const RegionView& view, const Frame& frame) {
   std::vector<double> lengths;
   const std::size_t stride = view.points.size() / sample_size + 1;
@@ -33,7 +33,7 @@ double median_edge(const RegionView& view, const Frame& frame) {
   return *middle;
 }
 
-// The middle of the 2 x 2 block of cells with the most vertices; ties to the smallest column and row.
+// The middle of the 2 x 2 block of cells with the most vertices; of several, the one with the smallest column and row.
 Point densest_place(const RegionView& view, const Window& window, double cell_width, double cell_height) {
   const auto key = [](std::int64_t column, std::int64_t row) { return (column << 32) | row; };
   std::unordered_map<std::int64_t, std::uint32_t> counts;

@@ -1,4 +1,4 @@
-// Where things are in a picture: windows of the plane, and the panels that show them.
+// The geometry of a picture: windows of the plane, and the panels that show them.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -24,22 +24,22 @@ struct Box {
 struct Frame {
   Window window;
   Box box;
-  double x_scale = 1;  ///< pixels a unit of x
-  double y_scale = 1;  ///< pixels a unit of y
+  double x_scale = 1;  ///< pixels per unit of x
+  double y_scale = 1;  ///< pixels per unit of y
 
   double px(double x) const { return box.left + (x - window.x0) * x_scale; }
   double py(double y) const { return box.top + (window.y1 - y) * y_scale; }
 };
 
-/// The smallest window that holds all points of all views; nothing when there are none.
+/// The smallest window that contains all points of all views; nothing if there are no points.
 std::optional<Window> extent(std::span<const RegionView> views);
 
-/// Shows `window` in the box as large as it fits, widened on the other axis. `squeeze` is the length
-/// of a unit of x as drawn, in units of y (1, or the cosine of the latitude).
+/// A frame that shows `window` in the box as large as possible, and more of the plane along the other axis. `squeeze`
+/// is the drawn length of a unit of x, in units of y (1, or the cosine of the latitude).
 Frame fit(const Window& window, double squeeze, const Box& box);
 
-/// A window worth enlarging: where the vertices of `view` are densest, at a scale at which its edges
-/// can be seen. Nothing when `main` shows them already. `box` is the panel it is to fill.
+/// A window to be enlarged: where the vertices of `view` are densest, at a scale at which its edges are visible.
+/// Nothing if they are visible in `main`. `box` is the panel that the window fills.
 std::optional<Window> densest_window(const RegionView& view, const Frame& main, const Box& box);
 
 }  // namespace oblast::io

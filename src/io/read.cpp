@@ -1,5 +1,5 @@
-// Reading any number of files as one operand: list them, read them in parallel, put them together in
-// the order of the list.
+// Reads any number of files as one operand: lists them, reads them in parallel, and joins them in the order of the
+// list.
 #include "io/read.h"
 
 #include <tbb/info.h>
@@ -27,8 +27,8 @@ Layer read_one(const std::string& path, const ReadOptions& options) {
   return read_with_gdal(path, options);
 }
 
-// All files, each into a layer of its own. Of several faulty files the first by name is reported,
-// whatever the threads did.
+// Reads each file into a layer. If several files are faulty, the first one in the list is reported, whatever the order
+// in which threads read them.
 std::vector<Layer> read_each(const std::vector<std::string>& files, const ReadOptions& options) {
   std::vector<Layer> layers(files.size());
   std::vector<std::exception_ptr> failures(files.size());
@@ -114,7 +114,7 @@ Layer read(std::span<const std::string> paths, const ReadOptions& options) {
   reserve(sum.regions, layers);
   for (Layer& layer : layers) {
     append(sum, layer);
-    layer = {};  // its memory is not needed any more
+    layer = {};  // frees its memory
   }
   sum.crs_wkt = crs.wkt();
   return sum;

@@ -1,4 +1,4 @@
-// Reading polygons from any vector file GDAL opens, from WKT, from a folder or from standard input.
+// Reads polygons from any vector file that GDAL opens, from WKT, from folders and from standard input.
 #pragma once
 
 #include <functional>
@@ -14,16 +14,16 @@ enum class OtherGeometry { count_and_skip, refuse };
 
 struct ReadOptions {
   OtherGeometry other = OtherGeometry::count_and_skip;
-  int threads = 0;  ///< 0: all cores; many files are read in parallel, in the order of their names
+  int threads = 0;  ///< 0: all cores. Files are read in parallel; the order of the polygons does not depend on it
   std::function<void(std::size_t files_done, std::size_t files)> progress;
 };
 
-/// Reads every polygon of every path as one operand. A path is a vector file, a folder (all vector
-/// files in it, by name), a `.wkt` file, or `-` for WKT on standard input. Throws IoError.
+/// Reads every polygon of every path as one operand. A path is a vector file, a folder (all vector files in it, sorted
+/// by name), a `.wkt` file, or `-` for WKT on standard input. Throws IoError.
 Layer read(std::span<const std::string> paths, const ReadOptions& options = {});
 
-/// Parses WKT text: POLYGON, MULTIPOLYGON, GEOMETRYCOLLECTION of these; one geometry a line where there are
-/// several. `name` stands for the file in messages. Throws IoError with the line and column.
+/// Reads WKT: any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION of these, usually one per line. Messages call
+/// the text `name`. Throws IoError with the line and the column.
 Layer read_wkt(const std::string& text, const std::string& name, const ReadOptions& options = {});
 
 }  // namespace oblast::io

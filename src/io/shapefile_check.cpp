@@ -43,34 +43,43 @@ std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
   file.read(reinterpret_cast<char*>(header.data()), header.size());
   const auto got = static_cast<std::uint64_t>(file.gcount());
   if (got < header_bytes)
-    throw IoError(fmt::format("{} is truncated: {} bytes, less than a shapefile's header", path, got));
+    throw IoError(
+        fmt::format("{} is truncated: it has {} bytes, fewer than the header of a shapefile; copy or export it "
+                    "again",
+                    path, got));
   if (big_endian(header, 0) != file_code) throw IoError(path + " is not a shapefile: its header has another file code");
   const std::uint64_t declared = 2 * std::uint64_t{big_endian(header, 24)};  // given in 16-bit words
   const std::uint64_t size = fs::file_size(path);
   if (size < declared) {
-    throw IoError(fmt::format("{} is truncated: its header declares {} bytes, the file has {}", path, declared, size));
+    throw IoError(
+        fmt::format("{} is truncated: its header declares {} bytes, but the file has {}; copy or export it again", path,
+                    declared, size));
   }
   return {header, declared};
 }
 
-// The table must be whole and have as many records as the index: else a part of the set is older
-// than the rest, or was cut off, and nobody can tell which shapes are meant.
+// The table must be complete and have as many records as the index. Otherwise a file of the set is older than the
+// others or was cut off, and it is unknown which shapes are right.
 void check_table(const std::string& path, const std::string& index, std::uint64_t shapes) {
   constexpr std::size_t table_header_bytes = 32;
   std::ifstream file(path, std::ios::binary);
   Header header{};
   file.read(reinterpret_cast<char*>(header.data()), table_header_bytes);
-  if (file.gcount() < static_cast<std::streamsize>(table_header_bytes)) throw IoError(path + " is truncated");
+  if (file.gcount() < static_cast<std::streamsize>(table_header_bytes))
+    throw IoError(path + " is truncated: it has fewer bytes than the header of a table; copy or export it again");
   const auto records = static_cast<std::uint32_t>(little_endian(header, 4));
   const auto lengths = static_cast<std::uint32_t>(little_endian(header, 8));  // two 16-bit numbers
   const std::uint64_t declared = (lengths & 0xffff) + std::uint64_t{records} * (lengths >> 16);
   const std::uint64_t size = fs::file_size(path);
   if (size < declared) {
-    throw IoError(fmt::format("{} is truncated: its header declares {} bytes, the file has {}", path, declared, size));
+    throw IoError(
+        fmt::format("{} is truncated: its header declares {} bytes, but the file has {}; copy or export it again", path,
+                    declared, size));
   }
   if (records != shapes) {
-    throw IoError(
-        fmt::format("{} has {} records but {} has {}: the files do not belong together", path, records, index, shapes));
+    throw IoError(fmt::format(
+        "{} has {} records, but {} has {}: the files do not belong together; copy or export all of them again", path,
+        records, index, shapes));
   }
 }
 
@@ -91,10 +100,11 @@ std::string find_sibling(const std::string& path, const std::string& extension) 
 void check_shapefile(const std::string& path) {
   const auto [header, length] = checked_header(path);
   const std::string index = find_sibling(path, ".shx");
-  if (index.empty()) throw IoError(path + " has no .shx file beside it: the shapefile is incomplete");
+  if (index.empty())
+    throw IoError(path + " has no .shx file beside it: the shapefile is incomplete; add the .shx file");
   const auto [index_header, index_length] = checked_header(index);
   if (little_endian(header, 32) == multipatch) {
-    throw IoError(path + " holds MULTIPATCH surfaces, not polygons of the plane");
+    throw IoError(path + " has MULTIPATCH surfaces, not polygons of the plane; convert them to polygons first");
   }
   const std::string table = find_sibling(path, ".dbf");
   if (!table.empty()) {

@@ -1,4 +1,4 @@
-// Writing beside the target, renaming, and cleaning up; see staged_output.h.
+// Writes beside the target, renames, and cleans up; see staged_output.h.
 #include "io/staged_output.h"
 
 #include <fcntl.h>
@@ -24,18 +24,18 @@ namespace oblast::io {
 
 namespace fs = std::filesystem;
 
-// What discard_unfinished() removes. Made before writing begins, so that a signal handler finds the
-// names ready: it may not allocate.
+// The names of the files that discard_unfinished() removes. They are made before writing begins, because a signal
+// handler must not allocate memory.
 struct UnfinishedOutput {
   std::vector<std::string> files;  // names in the folder
   std::string folder;
-  std::string gone;  // what a signal handler calls the folder before it empties it
+  std::string gone;  // a signal handler renames the folder to this before it empties it
   UnfinishedOutput* next_abandoned = nullptr;
 };
 
 namespace {
 
-// Outputs under way, a few at a time. One that finds no free slot is merely not discarded on interruption.
+// The outputs that are being written. There are a few slots; an output without a slot is not removed at a signal.
 std::array<std::atomic<UnfinishedOutput*>, 64> unfinished_outputs;
 
 std::atomic<UnfinishedOutput*> abandoned = nullptr;
@@ -49,7 +49,7 @@ void remember(UnfinishedOutput* output) {
   }
 }
 
-// False when discard_unfinished() has taken it.
+// False if discard_unfinished() has taken it.
 bool forget(UnfinishedOutput* output) {
   for (auto& slot : unfinished_outputs) {
     UnfinishedOutput* expected = output;
@@ -58,7 +58,7 @@ bool forget(UnfinishedOutput* output) {
   return false;
 }
 
-// Allocates nothing: a signal handler and a destructor may call it. False when files of other names are there.
+// Allocates no memory, so a signal handler and a destructor may call it. False if the folder has other files, too.
 bool discard(const UnfinishedOutput& output, const std::string& folder) {
   const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (opened >= 0) {
@@ -68,12 +68,12 @@ bool discard(const UnfinishedOutput& output, const std::string& folder) {
   return ::rmdir(folder.c_str()) == 0 || errno == ENOENT;
 }
 
-// Files that a driver made without our knowing its names for them.
+// Removes files that a driver made under names that this code does not know.
 void remove_with_strangers(const std::string& folder) {
   try {
     std::error_code error;
     fs::remove_all(folder, error);
-  } catch (const std::bad_alloc&) {  // from a destructor nobody could hear of it
+  } catch (const std::bad_alloc&) {  // a destructor cannot report it
   }
 }
 
@@ -112,11 +112,11 @@ std::string random_suffix() {
 
 }  // namespace
 
-// No step after the folder exists may fail and leave it behind, and a signal may come at once: so all names are made
-// and remembered before.
+// After the folder exists, no step may fail and leave it behind, and a signal may come at any time. So all names are
+// made and stored before.
 StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files_(std::move(files)) {
   std::error_code error;
-  // Through a symbolic link the file it points to is replaced, not the link.
+  // If the target is a symbolic link, the file that it points to is replaced, not the link.
   target_ = fs::is_symlink(target, error) ? fs::weakly_canonical(target).string() : target;
   const fs::path full = target_;
   const fs::path parent = full.has_parent_path() ? full.parent_path() : fs::path(".");
@@ -136,7 +136,7 @@ StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files
       return;
     }
     const int failure = errno;
-    if (!forget(unfinished.get())) (void)unfinished.release();  // a signal handler is at work with it
+    if (!forget(unfinished.get())) (void)unfinished.release();  // a signal handler is using it
     if (failure != EEXIST || attempts == 0)
       throw IoError("cannot write into " + parent.string() + ": " + std::strerror(failure));
   }
@@ -146,14 +146,14 @@ StagedOutput::~StagedOutput() {
   if (!discard(*unfinished_, unfinished_->folder)) remove_with_strangers(unfinished_->folder);
   if (forget(unfinished_)) {
     delete unfinished_;
-  } else {  // a signal handler may be at work with it: never freed
+  } else {  // a signal handler may be using it, so it is never freed
     unfinished_->next_abandoned = abandoned;
     while (!abandoned.compare_exchange_weak(unfinished_->next_abandoned, unfinished_)) {
     }
   }
 }
 
-// Between the first rename and the last nothing can fail for lack of memory: all names are made before.
+// All names are made before the first rename. So lack of memory cannot stop the renames halfway.
 void StagedOutput::commit() {
   struct Rename {
     fs::path from, to;
@@ -172,7 +172,7 @@ void StagedOutput::commit() {
     renames.push_back({std::move(from), std::move(to)});
   }
   for (const std::string& part : files_.stale) removals.emplace_back(part_of(target_, part));
-  // A signal that comes from here on is too late: what is there now shall not be half old and half new.
+  // From here on a signal does not end the program: it would leave some old and some new files.
   const Commit commit;
   for (const auto& [from, to] : renames) {
     fs::rename(from, to, error);
@@ -187,7 +187,7 @@ void discard_unfinished() {
   for (auto& slot : unfinished_outputs) {
     const UnfinishedOutput* output = slot.exchange(nullptr);
     if (!output) continue;
-    // Other threads may go on writing: under this name they make no more files.
+    // Other threads may continue to write. After the rename they cannot make new files in the folder.
     if (::rename(output->folder.c_str(), output->gone.c_str()) == 0) discard(*output, output->gone);
   }
 }

@@ -1,9 +1,10 @@
-// All or nothing: a file, or a set of files, is written in a hidden folder beside its target and renamed at the end.
+// Writes a file, or a set of files, completely or not at all: it is written in a hidden folder beside its target, and
+// renamed at the end.
 //
 //   out/burnt.shp                                   the target, perhaps with an older file there
 //   out/.burnt.shp.writing-Xk2f9a/burnt.shp, ...    what is being written
 //
-// Same folder, so the rename stays within one file system and cannot run out of space.
+// Both are in the same folder, so renaming stays in one file system and cannot run out of space.
 #pragma once
 
 #include <string>
@@ -13,17 +14,17 @@ namespace oblast::io {
 
 struct UnfinishedOutput;
 
-/// The files of one output, named by what they add to the target's name: "" is the target itself,
-/// ".dbf" or "_x.fgb" replace its extension, "-wal" is put after it.
+/// The files of one output, given by suffixes of the target's name: "" is the target itself, ".dbf" or "_x.fgb" replace
+/// its extension, "-wal" is appended.
 struct OutputFiles {
-  std::vector<std::string> parts = {""};  ///< renamed in this order, so the target itself comes last
-  std::vector<std::string> scratch;       ///< may appear while writing, and are never kept
-  std::vector<std::string> stale;         ///< made by others for an older output: removed with it
+  std::vector<std::string> parts = {""};  ///< renamed in this order; the target itself must be last
+  std::vector<std::string> scratch;       ///< may appear during writing, and are removed
+  std::vector<std::string> stale;         ///< made by other programs for an older output, and removed with it
 };
 
 class StagedOutput {
  public:
-  /// Throws IoError when the target's folder cannot be written to.
+  /// Throws IoError if the target's folder is not writable.
   StagedOutput(const std::string& target, OutputFiles files);
   /// Removes the stage with everything in it.
   ~StagedOutput();
@@ -33,9 +34,8 @@ class StagedOutput {
   /// The path to write to instead of the target; it has the target's file name.
   const std::string& path() const { return path_; }
 
-  /// Renames what was written over the target. Parts of an older output that the new one does not
-  /// have are removed. Where an older file is replaced, the new one is first forced to the disk.
-  /// Throws IoError.
+  /// Renames the new files to the target's names. Parts of an older output that the new one does not have are removed.
+  /// Before an older file is replaced, the new one is flushed to the disk. Throws IoError.
   void commit();
 
  private:

@@ -1,8 +1,7 @@
-// Parsing Well-Known Text (OGC 06-103r4, section 7), by a single pass over the characters.
+// Reads Well-Known Text (OGC 06-103r4, section 7) in one pass over the characters.
 //
-// Admitted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (passed over: text
-// has no coordinate system here),
-// semicolons after a geometry, and lower case.
+// Accepted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (ignored: text has no coordinate system
+// here), semicolons after a geometry, and lower case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +45,7 @@ class WktParser {
     bool m = false;
   };
 
-  // One geometry with all its members; the nesting of collections is a counter, not a recursion.
+  // One geometry with all its members. A counter follows the nesting of collections, so there is no recursion.
   void geometry() {
     std::size_t depth = 0;
     for (;;) {
@@ -190,7 +189,7 @@ class WktParser {
     return false;
   }
 
-  // The body of a geometry that is passed over: EMPTY or balanced parentheses.
+  // Skips the body of a geometry: EMPTY or balanced parentheses.
   void skip_body() {
     if (read_empty()) return;
     expect('(');
@@ -201,7 +200,7 @@ class WktParser {
     }
   }
 
-  // To the next geometry; false at the end of the text.
+  // Moves to the next geometry; false at the end of the text.
   bool skip_separators() {
     for (;;) {
       skip_space();

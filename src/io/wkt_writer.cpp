@@ -1,4 +1,4 @@
-// Printing Well-Known Text.
+// Writes Well-Known Text.
 #include "io/number_text.h"
 #include "io/write.h"
 

@@ -1,4 +1,4 @@
-// Writing all or nothing: check the call, write to the stage, rename.
+// Checks the call, writes to the stage, and renames.
 #include "io/write.h"
 
 #include <unistd.h>
@@ -25,9 +25,9 @@ const Format& writable_format(const std::string& path) {
   if (format && format->writable) return *format;
   const std::string extension = lower_extension(path);
   throw IoError("cannot write " + path + ": " +
-                (extension.empty() ? "its name has no extension to tell the format"
-                                   : extension + " is not a format written here") +
-                " (known: " + writable_extensions() + ")");
+                (extension.empty() ? "its name has no extension, which decides the format"
+                                   : extension + " is not a format that can be written") +
+                "; choose from " + writable_extensions());
 }
 
 // A shapefile's .shp names the whole set; GDAL gives its files lower-case extensions.
@@ -40,7 +40,7 @@ OutputFiles files_of(const std::string& path) {
   if (extension == ".shp") {
     return {{".dbf", ".cpg", ".prj", ".shx", ""}, {}, {".qix", ".sbn", ".sbx", ".qpj"}};
   }
-  // A journal left by an older database would be applied to the new one.
+  // A journal of an older database would be applied to the new one.
   if (extension == ".gpkg") return {{""}, {"-journal", "-wal", "-shm"}, {"-journal", "-wal", "-shm"}};
   if (extension == ".fgb") return {{""}, {"_temp.fgb"}, {}};
   return {};
@@ -53,7 +53,7 @@ void refuse_existing(const std::string& path) {
     const std::string file = part.empty() ? path : fs::path(path).replace_extension(part).string();
     std::error_code error;
     if (fs::exists(fs::symlink_status(file, error))) {
-      throw IoError(file + " exists already; it is replaced only when overwriting is asked for");
+      throw IoError(file + " exists already (--overwrite replaces it)");
     }
   }
 }
@@ -71,7 +71,8 @@ void check_writable(const std::string& path_given, const WriteOptions& options) 
   const std::string path = target_of(path_given);
   const fs::path parent = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
   std::error_code error;
-  if (!fs::exists(parent, error)) throw IoError("cannot write " + path + ": there is no folder " + parent.string());
+  if (!fs::exists(parent, error))
+    throw IoError("cannot write " + path + ": there is no folder " + parent.string() + "; create it first");
   if (!fs::is_directory(parent, error))
     throw IoError("cannot write " + path + ": " + parent.string() + " is not a folder");
   if (fs::is_directory(path, error)) throw IoError("cannot write " + path + ": it is a folder");
@@ -97,7 +98,7 @@ void write(const std::string& path_given, const RegionView& regions, const Write
   } else {
     write_text(stage.path(), to_wkt(regions) + "\n", path);
   }
-  // Someone else may have put a file there while we wrote.
+  // Another program may have made a file of this name in the meantime.
   if (options.existing == Existing::refuse) refuse_existing(path);
   stage.commit();
 }

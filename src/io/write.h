@@ -1,4 +1,4 @@
-// Writing a region set, all or nothing: to a temporary name beside the target, then renamed.
+// Writes a region set completely or not at all: to a temporary name beside the target, which is then renamed.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -15,24 +15,24 @@ enum class Existing { refuse, overwrite };
 
 struct WriteOptions {
   Existing existing = Existing::refuse;
-  std::string crs_wkt;  ///< written into the file where its format holds one
+  std::string crs_wkt;  ///< written into the file if its format can store one
   /// The attribute `polygon` of each feature, by polygon (WKT has none); empty: 0, 1, 2, ...
   std::span<const std::int32_t> polygon_numbers = {};
 };
 
-/// Throws IoError when `path` cannot be written: unknown format, missing folder, existing file.
-/// Call it before the work, so that nobody waits for an overlay that cannot be saved.
+/// Throws IoError if `path` cannot be written: unknown format, missing folder, existing file. Call it before the
+/// computation, to report the error early.
 void check_writable(const std::string& path, const WriteOptions& options = {});
 
-/// Writes one feature a polygon; the format follows the extension (.shp .gpkg .geojson .fgb .wkt;
-/// `-` is WKT on standard output). Coordinates keep their bits (text formats: 17 digits). Throws IoError, and
-/// then an older file at `path` is untouched.
+/// Writes one feature per polygon. The extension decides the format (.shp .gpkg .geojson .fgb .wkt; `-` is WKT on
+/// standard output). Coordinates keep their bits; text formats have the fewest digits that read back to the same bits.
+/// Throws IoError; then an older file at `path` is unchanged.
 void write(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
 
 /// Removes temporary files of writes under way. Safe to call in a signal handler.
 void discard_unfinished();
-/// True while finished files take the places of older ones: to end the program now would leave some of each. Safe to
-/// call in a signal handler.
+/// True while finished files replace older ones. Ending the program now would leave some old and some new files. Safe
+/// to call in a signal handler.
 bool commit_under_way();
 
 /// One line of WKT: MULTIPOLYGON (or POLYGON EMPTY), shortest digits that read back to the same bits.

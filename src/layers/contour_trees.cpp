@@ -1,4 +1,4 @@
-// Contours ready to be compared.
+// Prepares contours for comparison.
 #include "layers/contour_trees.h"
 
 #include <algorithm>

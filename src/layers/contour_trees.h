@@ -1,8 +1,8 @@
-// Contours ready to be compared: cleaned, their kind known, and a tree of boxes over the edges of each.
+// Contours prepared for comparison: they are clean and classified, and each has a tree of boxes over its edges.
 //
-//              [ 1 ]               Nodes of a contour's tree: 1 is the root, 2 i and 2 i + 1 are below i,
-//         [ 2 ]     [ 3 ]          the leaves are leaf_count to 2 leaf_count - 1 and hold eight edges that
-//       [ 4 ] [5] [ 6 ] [7]        follow one another. Leaves left over are empty and meet nothing.
+//              [ 1 ]               The nodes of a tree: 1 is the root; 2 i and 2 i + 1 are below i. The leaves
+//         [ 2 ]     [ 3 ]          are leaf_count to 2 leaf_count - 1, and have eight consecutive edges each.
+//       [ 4 ] [5] [ 6 ] [7]        Leaves that are not needed are empty and meet nothing.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -17,7 +17,7 @@
 
 namespace oblast::internal {
 
-/// One contour; a view. Edge e runs from vertex e to the next one.
+/// A view of one contour. Edge e runs from vertex e to the next vertex.
 struct ContourTree {
   static constexpr std::uint32_t edges_a_leaf = tuning::contour_edges_a_leaf;
 
@@ -40,11 +40,11 @@ struct ContourTree {
 
 class ContourTrees {
  public:
-  /// Cost: O(v log v), linear where the contours are convex.
+  /// Cost: O(v log v); linear if the contours are convex.
   explicit ContourTrees(const RegionView& operand);
 
   std::size_t size() const { return contours_.size(); }
-  /// False for fewer than three different neighbouring vertices; then there is no tree.
+  /// False if the clean contour has fewer than three vertices; then it has no tree.
   bool has_interior(std::size_t c) const { return contours_[c].leaf_count > 0; }
   ContourTree operator[](std::size_t c) const;
 

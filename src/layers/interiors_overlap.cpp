@@ -17,7 +17,7 @@ bool same_direction(const Point& x, const Point& p, const Point& q) {
   return orientation(x, p, q) == 0 && lexicographically_less(x, p) == lexicographically_less(x, q);
 }
 
-/// The direction from x to p lies strictly inside the sector.
+/// True if the direction from x to p is strictly inside the sector.
 bool strictly_inside(const Point& x, const Sector& s, const Point& p) {
   const int opening = orientation(x, s.from, s.to);
   if (opening > 0) return orientation(x, s.from, p) > 0 && orientation(x, p, s.to) > 0;
@@ -101,7 +101,7 @@ InteriorTest::Meeting InteriorTest::boundaries(const ContourTree& p, const Conto
   return met;
 }
 
-/// By the edges that a ray from x to the right crosses. REQUIRES: x is not on the contour.
+/// Counts the edges that a ray from x to the right crosses. REQUIRES: x is not on the contour.
 bool InteriorTest::inside(const Point& x, const ContourTree& contour) {
   bool inside = false;
   nodes_.assign(1, 1);

@@ -1,14 +1,14 @@
-// Whether the interiors of two simple contours have a point in common, exactly.
+// Decides exactly whether the interiors of two simple contours have a point in common.
 //
-//   1. Two edges cross inside both: yes.
-//   2. The boundaries touch at x. Each contour's interior there is one sector. If the open sectors of
-//      some touching point overlap: yes. Otherwise no: where a boundary leaves the other's interior, it passes
-//      a touching point, and the sectors there overlap.
-//   3. The boundaries do not meet: one contour is inside the other, or they are apart. One vertex decides.
+//   1. Two edges cross at an interior point of both: yes.
+//   2. The boundaries touch at x. There the interior of each contour is one sector. If the open sectors overlap at any
+//      touching point: yes. Otherwise no: a boundary that leaves the other's interior passes through a touching point
+//      at which the sectors overlap.
+//   3. The boundaries do not meet: one contour is inside the other, or they are disjoint. One vertex decides.
 //
 //           \  Q /
-//            \  /          no rounding: touching points are vertices, for edges that meet
-//      -------x-------     elsewhere cross
+//            \  /          There is no rounding. Touching points are vertices: edges that
+//      -------x-------     meet at other points cross.
 //             P
 #pragma once
 
@@ -22,7 +22,7 @@ namespace oblast::internal {
 
 class InteriorTest {
  public:
-  /// A tangled contour counts as overlapping. Cost: the pairs of leaves whose boxes meet.
+  /// A tangled contour counts as overlapping. Cost: the number of pairs of leaves whose boxes meet.
   bool overlap(const ContourTree& p, const ContourTree& q);
 
  private:

@@ -1,12 +1,12 @@
 // Layers of disjoint contours, first fit, over an auxiliary raster (the paper, 4.3 and figure 3).
 //
-// The paper fills one layer after the other, walking over the contours left each time; a contour joins
-// when the raster under its box is free. Putting each contour at once into the first layer that takes it
-// gives the same layers in one walk. The raster (raster_pyramid.h) then names the earlier contours whose
-// boxes overlap; of those, one in each layer has to be compared until it is found taken.
+// The paper fills one layer after another. In each pass it visits the remaining contours, and a contour joins the layer
+// if the raster under its box is free. Here each contour goes directly into the first layer that can take it, which
+// gives the same layers in one pass. The raster (raster_pyramid.h) finds the earlier contours whose boxes overlap.
+// These are compared until one overlaps in each layer.
 //
-// Measured: the fires of the paper's Table 3 (190,915 contours) in 1 s, by boxes alone in 0.35 s; a million random
-// squares in 3.5 s, a tenth of them in 0.2 s (in random order nearly every cell looked at is out of cache).
+// Measured: the fires of the paper's Table 3 (190,915 contours) in 1 s, with boxes only in 0.35 s; a million random
+// squares in 3.5 s, a hundred thousand in 0.2 s (in random order nearly every cell is outside the cache).
 #include <oblast/layers.h>
 
 #include <algorithm>
@@ -81,8 +81,8 @@ class FirstFit {
   Charge charge_;  ///< for the result
   RasterPyramid raster_;
   InteriorTest test_;
-  Array<std::uint32_t> placed_;     ///< contours in the raster, by their number there
-  Array<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken
+  Array<std::uint32_t> placed_;     ///< by number in the raster: the contour
+  Array<std::uint32_t> taken_for_;  ///< by layer: the last number for which the layer was taken
   Layers result_;
 };
 

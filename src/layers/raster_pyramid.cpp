@@ -24,7 +24,7 @@ RasterPyramid::RasterPyramid(const Box& whole, std::size_t most)
     : x0_(whole.x0),
       y0_(whole.y0),
       side_(std::max(whole.x1 - whole.x0, whole.y1 - whole.y0)),
-      // As many cells as boxes, and three levels more for boxes that come in crowds.
+      // As many cells as boxes, and three more levels for crowded boxes.
       levels_(static_cast<std::uint32_t>(std::bit_width(most)) / 2 + 3),
       cells_(1, Cell{.box = no_box}) {
   boxes_.reserve(most);

@@ -1,13 +1,14 @@
-// The auxiliary raster of `layers`: which boxes, put in before, overlap a given one.
+// The auxiliary raster of `layers`: finds the boxes, among those inserted before, that overlap a given box.
 //
-//    level 0 +-------+   level 1 +---+---+   level 2 +-+-+-+-+     A box is kept in the cell of its centre,
-//            |       |           |   |   |           +-+-+-+-+     at the finest level whose cells are not
-//            |       |           +---+---+           +-+-+-+-+     smaller than it is.
+//    level 0 +-------+   level 1 +---+---+   level 2 +-+-+-+-+     A box is in the cell that contains its
+//            |       |           |   |   |           +-+-+-+-+     centre, at the finest level whose cells
+//            |       |           +---+---+           +-+-+-+-+     are not smaller than the box.
 //            +-------+           +---+---+           +-+-+-+-+
 //
-// The paper fills the cells under each box of one raster. Boxes of very different sizes would fill it many
-// times over, so ours has several resolutions, and a box is in one cell of one of them. A cell knows the box of
-// all that is in it and in the cells below it, so the search is exact whatever rounding did to the cells.
+// The paper has one raster, and fills all cells under a box. With boxes of very different sizes, that fills many cells
+// many times. So this raster has several resolutions, and a box is in one cell of one of them. A cell stores the common
+// box of everything in it and in the cells below it. So the search is exact, even though cells are computed with
+// rounding.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +18,18 @@
 
 namespace oblast::internal {
 
-/// The interiors of two boxes have a point in common.
+/// True if the interiors of the two boxes have a point in common.
 inline bool overlap(const Box& p, const Box& q) { return p.x0 < q.x1 && q.x0 < p.x1 && p.y0 < q.y1 && q.y0 < p.y1; }
 
 class RasterPyramid {
  public:
-  /// `whole` holds all boxes to come; about `most` of them.
+  /// `whole` contains all boxes that will be inserted; `most` is approximately their number.
   RasterPyramid(const Box& whole, std::size_t most);
 
-  /// Boxes are numbered in the order they come, from 0. Cost: O(log n).
+  /// Inserts a box. Its number is the number of boxes inserted before. Cost: O(log n).
   void insert(const Box& box);
 
-  /// Calls visit(number) for each box that overlaps `box`. Cost: the cells that overlap it.
+  /// Calls visit(number) for each box that overlaps `box`. Cost: the number of cells that overlap it.
   template <class Visit>
   void for_each_overlapping(const Box& box, const Visit& visit) {
     pending_.assign(1, 0);
@@ -47,13 +48,13 @@ class RasterPyramid {
   static constexpr std::uint32_t nothing = 0xffffffff;
 
   struct Cell {
-    Box box;  ///< of all boxes in it and in the cells below it
+    Box box;  ///< the common box of all boxes in it and in the cells below it
     std::uint32_t first_box = nothing;
-    std::uint32_t children = nothing;  ///< the first of its four quarters, which lie side by side
+    std::uint32_t children = nothing;  ///< the first of its four quarters, which are consecutive
   };
 
   std::uint32_t level_of(const Box& box) const;
-  /// Column or row of a centre, at the finest level.
+  /// The column or row of a centre, at the finest level.
   std::uint32_t position(double centre, double origin) const;
 
   double x0_, y0_, side_;

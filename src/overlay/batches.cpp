@@ -12,7 +12,7 @@
 namespace oblast::internal {
 namespace {
 
-/// What parts did side by side, each stage with its share of the time that passed.
+/// Adds the statistics of parts that were processed in parallel. Each stage gets its share of the elapsed time.
 void add_parts(const Array<Statistics>& parts, double elapsed, Statistics& statistics) {
   double seconds[stage_count] = {}, total = 0;
   for (const Statistics& part : parts) {
@@ -29,7 +29,7 @@ void add_parts(const Array<Statistics>& parts, double elapsed, Statistics& stati
     if (total > 0) statistics.seconds[i] += elapsed * seconds[i] / total;
 }
 
-/// The batches, taken out of the strands as they are asked for. One that has most of the vertices is not copied.
+/// Takes batches out of the strands on demand. A batch with most of the vertices is not copied.
 class Batches {
  public:
   Batches(noding::Strands strands, const IndependentParts& parts) : strands_(std::move(strands)), parts_(parts) {
@@ -67,10 +67,10 @@ void run_batches(noding::Strands strands, const IndependentParts& parts, Statist
   {
     const Share all(Stage::node, parts_share);
     Share* const share_of_all = Share::current();
-    const NoShare by_vertices;  // and not by the loop
+    const NoShare by_vertices;  // progress is counted by vertices, not by the loop
     for_ranges(parts.size(), 1, [&](std::size_t i, std::size_t past) {
       for (; i < past; ++i) {
-        // A thread that waits inside a part must not begin another one there: waits would nest.
+        // A thread that waits inside a part must not begin another part there, because waits would nest.
         isolated([&] {
           noding::Strands part = batches.take(i);
           const Share share(share_of_all, static_cast<double>(part.points.size()) / vertices);
@@ -98,7 +98,7 @@ void in_batches(noding::Strands strands, PartNeeds needs, Control& control, Stat
   }
   work.begin(parts.size());
   if (parts.size() != 1) return run_batches(std::move(strands), parts, statistics, work);
-  // One batch of all strands as they are is not copied.
+  // One batch that has all strands in their order is not copied.
   if (parts.strands.size() < strands.size() || !std::is_sorted(parts.strands.begin(), parts.strands.end()))
     strands = only_batch(std::move(strands), parts, 0);
   work.run(0, std::move(strands), statistics);

@@ -1,4 +1,4 @@
-// Independent parts of the input, each through stages 2 to 6, side by side on all cores.
+// Runs stages 2 to 6 on independent parts of the input, in parallel on all cores.
 #pragma once
 
 #include <functional>

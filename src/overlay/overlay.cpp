@@ -44,7 +44,7 @@ RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operat
   return std::move(result.regions);
 }
 
-/// In the arrays of `spare`, where that is given and they have room.
+/// Runs a call. The result reuses the arrays of `spare`, if it is given and they have room.
 RegionSet run(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
               RegionSet* spare = nullptr) {
   check_operation(operation);
@@ -60,7 +60,7 @@ bool is_in(const void* item, const auto& items) {
   return !before(item, items.data()) && before(item, items.data() + items.size());
 }
 
-/// Of a part of the set, or of all.
+/// True if the view is a view of the set, or of a part of it.
 bool is_view_of(const RegionView& view, const RegionSet& set) {
   return is_in(view.points.data(), set.points) || is_in(view.contour_ends.data(), set.contour_ends) ||
          is_in(view.polygon_ends.data(), set.polygon_ends);

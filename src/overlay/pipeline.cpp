@@ -41,7 +41,7 @@ Selection select_stage(const ChainGraph& graph, const LargeArray<Winding>& right
   return select(graph, right, job.operation, job.options);
 }
 
-/// Contours that are not in canonical order yet, and which of them are holes of which.
+/// Contours that are not yet in canonical order, and their nesting.
 struct Outline {
   Rings rings;
   Nesting nesting;
@@ -60,7 +60,7 @@ Outline link_stage(const ChainGraph& graph, const Selection& selection, const Jo
   return outline;
 }
 
-/// Stages 2 to 5. What they make but the outline is gone when they are done.
+/// Stages 2 to 5. At the end, everything that they made except the outline is freed.
 Outline outline(noding::Strands strands, const Job& job, Statistics& statistics) {
   const ChainGraph graph = node_stage(std::move(strands), job, statistics);  // 2
   if (job.options.engine == Engine::skvortsov) {                             // 3 to 5 by triangles

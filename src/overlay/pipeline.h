@@ -1,4 +1,4 @@
-// The pipeline: one function, one call a stage (ARCHITECTURE.md).
+// The pipeline: one function, with one call for each stage (ARCHITECTURE.md).
 #pragma once
 
 #include <oblast/options.h>
@@ -11,7 +11,7 @@
 
 namespace oblast::internal {
 
-/// What one run of the pipeline is asked for.
+/// The task of one run of the pipeline.
 struct Job {
   Operation operation;
   const Options& options;
@@ -24,15 +24,15 @@ struct PipelineResult {
   bool touches = false;  ///< some vertex is on the boundary more than once
 };
 
-/// Stages 1 to 6. `b` may be null: then the operation sees an empty B. Adds to the statistics. The result comes in the
-/// arrays of `spare` where they have room.
+/// Runs stages 1 to 6. `b` may be null: then B is empty. Adds to the statistics. The result reuses the arrays of
+/// `spare` if they have room.
 PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job& job, Statistics& statistics,
                             RegionSet spare = {});
 
 /// Stage 2, for any operation.
 ChainGraph node_stage(noding::Strands strands, const Job& job, Statistics& statistics);
 
-/// A polygon by itself: the whole pipeline under even_odd. For as long as `control` lives.
+/// A function that resolves a polygon: it runs the whole pipeline with even_odd. REQUIRES: `control` outlives it.
 Resolve resolve_by_pipeline(Control& control);
 
 }  // namespace oblast::internal

@@ -23,14 +23,14 @@ struct Box {
   Box joined(const Point& p) const { return joined(of(p, p)); }
   Box widened(double margin) const { return {x0 - margin, y0 - margin, x1 + margin, y1 + margin}; }
   bool contains(const Point& p) const { return x0 <= p.x && p.x <= x1 && y0 <= p.y && p.y <= y1; }
-  /// Without a branch: the outcome is hard to foresee.
+  /// Without a branch, because the outcome is hard to predict.
   bool meets(const Box& o) const {
     return static_cast<bool>(static_cast<int>(x0 <= o.x1) & static_cast<int>(o.x0 <= x1) &
                              static_cast<int>(y0 <= o.y1) & static_cast<int>(o.y0 <= y1));
   }
 };
 
-/// Where an edge points: right, up, left, down, a bit each.
+/// The directions of an edge: one bit each for right, up, left, down.
 inline unsigned heading(const Point& p, const Point& q) {
 #ifdef __SSE2__
   const __m128d from = _mm_loadu_pd(&p.x), to = _mm_loadu_pd(&q.x);

@@ -8,7 +8,7 @@ namespace oblast::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Meets nothing, and adds nothing to what it is joined to.
+/// A box that meets nothing, and adds nothing to a box with which it is joined.
 constexpr Box no_box{infinity, infinity, -infinity, -infinity};
 
 }  // namespace

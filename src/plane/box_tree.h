@@ -1,4 +1,4 @@
-// A packed tree of boxes that may change: which of them come near a box.
+// A packed tree of boxes that may change. It finds the boxes that meet a given box.
 #pragma once
 
 #include <algorithm>
@@ -11,23 +11,23 @@
 
 namespace oblast::internal {
 
-/// Boxes along a space-filling curve by their middles, a few to a node, level upon level.
+/// Boxes are sorted along a space-filling curve by their centres. A node has a few boxes or nodes of the level below.
 class BoxTree {
  public:
   /// Cost: linear.
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// Calls visit(i) for the boxes i that meet `box` until it returns false; tells whether it never did.
+  /// Calls visit(i) for the boxes i that meet `box`, until it returns false. Returns true if it never did.
   template <class Visit>
   bool for_each_near(const Box& box, const Visit& visit) const {
     return order_.empty() || visit_node(begins_.size() - 2, 0, box, visit);
   }
 
-  /// What was box i is `box` from now on. What the levels above know of the old one stays, so the tree serves best
-  /// where boxes grow or merge. Cost: O(log n).
+  /// Replaces box i by `box`. The nodes above still contain the old box, so the tree works best if boxes grow or merge.
+  /// Cost: O(log n).
   void replace(std::uint32_t i, const Box& box);
 
-  /// Box i meets nothing any more.
+  /// Removes box i.
   void remove(std::uint32_t i);
 
  private:
@@ -43,10 +43,10 @@ class BoxTree {
     return true;
   }
 
-  LargeArray<std::uint32_t> order_;  ///< by place along the curve
-  LargeArray<std::uint32_t> place_;  ///< by box
-  LargeArray<Box> boxes_;            ///< level by level, those along the curve first
-  Array<std::size_t> begins_;        ///< by level, and past the last one
+  LargeArray<std::uint32_t> order_;  ///< by place along the curve: the box
+  LargeArray<std::uint32_t> place_;  ///< by box: its place along the curve
+  LargeArray<Box> boxes_;            ///< by level; the boxes along the curve are the first level
+  Array<std::size_t> begins_;        ///< by level: its beginning; and the end of the last one
 };
 
 }  // namespace oblast::internal

@@ -1,6 +1,6 @@
-// A binary tree over the boxes along the curve; from its lowest level up, each node connects what its two halves have
-// to do with each other. Whatever two nodes side by side look at lies under them alone, so they work side by side. And
-// what is connected already is passed over: where all boxes hang together, nearly everything.
+// A binary tree over the boxes along a curve. From the lowest level upwards, each node connects boxes of its two halves
+// that meet. Two nodes of a level have no boxes in common, so they work in parallel. Boxes that are already connected
+// are skipped. If all boxes are connected, that is nearly everything.
 #include "plane/connected_boxes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace oblast::internal {
 namespace {
 
 constexpr std::size_t boxes_a_task = tuning::boxes_a_task;
-/// A depth-first walk leaves at most three neighbours behind on each of 32 levels.
+/// A depth-first walk has at most three pending neighbours on each of 32 levels.
 constexpr std::size_t stack_size = 128;
 
 class Connector {
@@ -77,7 +77,7 @@ class Connector {
     is_one(level, node);
   }
 
-  /// What is under i with what is under j. False where that takes too many looks.
+  /// Connects boxes under i with boxes under j. False if that takes too many comparisons.
   bool connect(const Pair& nodes) {
     std::array<Pair, stack_size> stack;
     std::size_t on_stack = 0, looks = 0;
@@ -97,7 +97,7 @@ class Connector {
         continue;
       }
       if (is_one(level, i) && is_one(level, j) && sets_.find(i_first) == sets_.find(j_first)) continue;
-      // What is next to each other on the curve first.
+      // First the pair that is adjacent on the curve.
       push({level - 1, 2 * i, 2 * j + 1});
       push({level - 1, 2 * i, 2 * j});
       push({level - 1, 2 * i + 1, 2 * j + 1});
@@ -106,7 +106,7 @@ class Connector {
     return true;
   }
 
-  /// Whether all boxes under a node are known to be connected.
+  /// True if all boxes under a node are known to be connected.
   bool is_one(std::size_t level, std::size_t node) {
     std::uint8_t& one = flag(level, node);
     if (one) return true;
@@ -127,7 +127,7 @@ class Connector {
 
   const LargeArray<std::uint32_t>& order_;
   DisjointSets sets_;           ///< of places in the order
-  LargeArray<Box> boxes_;       ///< level by level, those along the curve first
+  LargeArray<Box> boxes_;       ///< by level; the boxes along the curve are the first level
   Array<std::uint8_t> is_one_;  ///< by node: all under it are known to be connected
   Array<std::size_t> begins_;   ///< by level
 };
@@ -139,7 +139,7 @@ ConnectedBoxes connected_boxes(LargeArray<Box> boxes) {
   if (boxes.empty()) return connected;
   connected.order = curve_order(boxes);
   Connector connector(boxes, connected.order);
-  boxes = LargeArray<Box>();  // it has them along the curve; = {} would keep the memory
+  boxes = LargeArray<Box>();  // the tree has a copy along the curve; = {} would keep the memory
   connected.component = connector.run();
   return connected;
 }

@@ -1,4 +1,4 @@
-// Connected boxes: two that meet, directly or by way of others.
+// Connected boxes: two boxes are connected if they meet, directly or through others.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace oblast::internal {
 
 struct ConnectedBoxes {
-  LargeArray<std::uint32_t> order;      ///< the boxes by their middles along a curve, so that neighbours stay together
-  LargeArray<std::uint32_t> component;  ///< by box: a number below the count of boxes, the same for connected ones
+  LargeArray<std::uint32_t> order;      ///< the boxes, sorted by their centres along a curve
+  LargeArray<std::uint32_t> component;  ///< by box: a number below the number of boxes; the same for connected boxes
 };
 
-/// Where so many boxes lie upon each other that to tell them apart takes too long, all there count as connected; else
-/// only those are that must be. The same on any number of cores. Cost: O(n log n); memory O(n).
+/// If so many boxes overlap that a decision takes too long, all boxes there count as connected. Otherwise only boxes
+/// that are connected. The result does not depend on the number of cores. Cost: O(n log n) time, O(n) memory.
 ConnectedBoxes connected_boxes(LargeArray<Box> boxes);
 
 }  // namespace oblast::internal

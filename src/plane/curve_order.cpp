@@ -15,12 +15,12 @@ namespace {
 // The curve in its four orientations. Quadrants are numbered 2 x + y.
 //
 //   orientation 0   1--2      rank of each quadrant on the curve, and the orientation of the curve
-//                   |  |      inside it: 1 is mirrored at the main diagonal, 2 at the other, 3 is
-//                   0  3      turned by half a turn.
+//                   |  |      inside it: 1 is mirrored at the main diagonal, 2 at the other diagonal,
+//                   0  3      3 is rotated by half a turn.
 constexpr std::uint8_t rank_in[4][4] = {{0, 1, 3, 2}, {0, 3, 1, 2}, {2, 1, 3, 0}, {2, 3, 1, 0}};
 constexpr std::uint8_t orientation_in[4][4] = {{1, 0, 2, 0}, {0, 3, 1, 1}, {2, 2, 0, 3}, {3, 1, 3, 2}};
 
-/// Four levels at a time: 4 bits of x and of y to 8 bits of the key and the orientation inside.
+/// Four levels at a time: converts 4 bits of x and of y to 8 bits of the key and the orientation inside.
 struct FourLevels {
   std::uint8_t key;
   std::uint8_t orientation;
@@ -42,7 +42,7 @@ constexpr auto four_levels = [] {
   return table;
 }();
 
-/// Place on the curve of the cell (x, y) of a 2^16 x 2^16 grid.
+/// The position on the curve of the cell (x, y) of a 2^16 x 2^16 grid.
 std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
   std::uint32_t key = 0, orientation = 0;
   for (int shift = 12; shift >= 0; shift -= 4) {
@@ -59,13 +59,13 @@ using Counts = std::array<std::uint32_t, radix>;
 
 std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * digit_bits)) % radix; }
 
-/// Copies to `to` in the order of a digit, those of one digit as they come. `ends` becomes where each digit ends. Large
-/// arrays in a few ranges side by side: first how many of each digit a range has, then to where they go is known.
-/// REQUIRES: items.
+/// Copies to `to`, stably sorted by a digit. Writes the end of each digit to `ends`. Large arrays are divided into a
+/// few ranges, which are processed in parallel: the counts of digits in each range determine the positions. REQUIRES:
+/// `from` is not empty.
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
   constexpr std::size_t items_a_range = tuning::keys_a_range;
   const std::size_t ranges = range_count(from.size(), items_a_range);
-  Array<Counts> more(ranges - 1);  // of all ranges but the last
+  Array<Counts> more(ranges - 1);  // of all ranges except the last
   const auto counts_of = [&](std::size_t range) -> Counts& { return range + 1 < ranges ? more[range] : ends; };
   for_numbered_ranges(from.size(), items_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Counts& counts = counts_of(range);
@@ -89,8 +89,8 @@ void sort_small(std::span<Keyed> items) {
             [](const Keyed& p, const Keyed& q) { return p.key != q.key ? p.key < q.key : p.index < q.index; });
 }
 
-/// The first digit by one pass through memory; then each of its parts, which fits a cache, by the others, last digit
-/// first.
+/// Sorts by the first digit in one pass through memory. Then sorts each part, which fits a cache, by the other digits,
+/// last digit first.
 void radix_sort(std::span<Keyed> items, LargeArray<Keyed>& buffer) {
   if (buffer.size() < items.size()) {
     buffer = {};
@@ -141,10 +141,11 @@ class CurveSort {
   }
 
  private:
-  static constexpr std::uint32_t crowd = tuning::curve_crowd;  // so many points in one cell are sorted again inside it
+  static constexpr std::uint32_t crowd =
+      tuning::curve_crowd;  // this many points in one cell are sorted again inside it
   static constexpr std::size_t points_a_task = tuning::curve_points_a_task;
 
-  /// False when all points are the same.
+  /// False if all points are equal.
   bool give_keys(std::span<Keyed> part) const {
     const Box box = box_of(part);
     const Point low{box.x0, box.y0};
@@ -173,7 +174,7 @@ class CurveSort {
   }
 
   void queue_crowded_cells(std::uint32_t begin, std::uint32_t end) {
-    // A crowd has two items of one key that are half a crowd apart, the first of them at a multiple of that.
+    // In a crowd, two items with the same key are half a crowd apart, and the first is at a multiple of this distance.
     constexpr std::uint32_t step = crowd / 2;
     for (std::uint32_t i = begin; i + step - 1 < end; i += step) {
       if (items_[i].key != items_[i + step - 1].key) continue;

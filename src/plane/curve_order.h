@@ -1,4 +1,4 @@
-// Points along a Hilbert curve: what is near in the plane becomes near in memory.
+// Sorts points along a Hilbert curve, so that points that are close in the plane are close in memory.
 #pragma once
 
 #include <oblast/point.h>
@@ -11,19 +11,19 @@
 
 namespace oblast::internal {
 
-/// A point's index, and its cell's place on the curve.
+/// The index of a point, and the position of its cell on the curve.
 struct Keyed {
   std::uint32_t key;
   std::uint32_t index;
 };
 
-/// The indices of the points along the curve; equal points follow one another with equal keys. The curve adapts: where
-/// many points fall in one of its 2^32 cells, it goes on inside that cell's box, so neighbours of one key may be of
-/// two cells. Cost: O(n), for coordinates of like magnitude; each factor of 2^16 in scale between nested clusters adds
-/// one more pass over the inner one.
+/// The indices of the points along the curve. Equal points are consecutive and have equal keys. The curve is adaptive:
+/// if many points are in one of its 2^32 cells, it continues inside the box of that cell. So neighbours with the same
+/// key may be in two cells. Cost: O(n) for coordinates of similar magnitude. Each factor of 2^16 in scale between
+/// nested clusters adds one pass over the inner cluster.
 LargeArray<Keyed> curve_order(std::span<const Point> points);
 
-/// The indices of the boxes by their middles along the curve.
+/// The indices of the boxes, sorted by their centres along the curve.
 LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes);
 
 }  // namespace oblast::internal

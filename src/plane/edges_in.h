@@ -1,4 +1,5 @@
-// Which edges of a path reach into a box: asked of a few edges at a time, everywhere that edges are searched for.
+// Finds which edges of a path have boxes that meet a given box, for a few edges at a time. All searches for edges use
+// this.
 #pragma once
 
 #include <oblast/point.h>
@@ -13,8 +14,8 @@
 
 namespace oblast::internal {
 
-/// Bit k: the box of the edge (points[first + k], points[first + k + 1]) meets `box`. Without a branch: the outcome is
-/// hard to foresee. REQUIRES: at most 32 edges.
+/// Bit k: the box of the edge (points[first + k], points[first + k + 1]) meets `box`. Without a branch, because the
+/// outcome is hard to predict. REQUIRES: at most 32 edges.
 inline std::uint32_t edges_in(const Box& box, const Point* points, std::uint32_t first, std::uint32_t last) {
   std::uint32_t found = 0;
 #ifdef __SSE2__

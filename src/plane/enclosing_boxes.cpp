@@ -11,7 +11,7 @@
 namespace oblast::internal {
 namespace {
 
-/// A grid of about one cell a point, and the points by cell.
+/// A grid with about one cell per point, and the points of each cell.
 class PointGrid {
  public:
   PointGrid(const Box& around, std::span<const Point> points)
@@ -24,11 +24,11 @@ class PointGrid {
     for (std::uint32_t i = 0; i < points.size(); ++i) points_[ends_[cell(column(points[i].x), row(points[i].y))]++] = i;
   }
 
-  // Both are monotone, so the point of a box is in one of the cells between those of its corners.
+  // Both functions are monotone, so a point inside a box is in a cell between the cells of its corners.
   std::uint32_t column(double x) const { return place(x, around_.x0, around_.x1); }
   std::uint32_t row(double y) const { return place(y, around_.y0, around_.y1); }
 
-  /// Of the cells of a row from one column to another, which lie side by side.
+  /// The points in the cells of a row from one column to another. These are consecutive.
   std::span<const std::uint32_t> points(std::uint32_t row, std::uint32_t first_column,
                                         std::uint32_t last_column) const {
     const std::uint32_t first = cell(first_column, row);
@@ -46,7 +46,7 @@ class PointGrid {
   Box around_;
   std::uint32_t side_;
   Array<std::uint32_t> ends_;    ///< by cell
-  Array<std::uint32_t> points_;  ///< by cell: their indices
+  Array<std::uint32_t> points_;  ///< by cell: the indices of its points
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Which of many boxes hold a point of another one: what asks for a point-in-region query, and what can answer it.
+// Finds which of many boxes contain a point of another box. Only these need a point-in-region query, or can answer one.
 //
-// Points are put into the cells of a grid; a box looks at the points of the cells it covers. Where boxes cover so much
-// of the grid that this is no gain, all are taken to hold points and to be held.
+// The points are put into the cells of a grid. A box tests the points in the cells that it covers. If boxes cover so
+// much of the grid that this saves nothing, all boxes count as enclosing and as enclosed.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 namespace oblast::internal {
 
 struct Enclosure {
-  Array<std::uint8_t> encloses;  ///< by box: it holds the point of another (or it is not known)
-  Array<std::uint8_t> enclosed;  ///< by box: its point is in another (or it is not known)
+  Array<std::uint8_t> encloses;  ///< by box: it contains the point of another box (or this is unknown)
+  Array<std::uint8_t> enclosed;  ///< by box: its point is in another box (or this is unknown)
 };
 
-/// REQUIRES: points[i] in boxes[i]. Cost: O(n).
+/// REQUIRES: points[i] is in boxes[i]. Cost: O(n).
 Enclosure find_enclosing(std::span<const Box> boxes, std::span<const Point> points);
 
 }  // namespace oblast::internal

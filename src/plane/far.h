@@ -1,15 +1,16 @@
-// Distances that rounding cannot bridge: the measure of clearance.h, where the reason is.
+// Distances that rounding cannot bridge. classics/clearance.h has the proof.
 #pragma once
 
 #include <oblast/point.h>
 
 namespace oblast::internal {
 
-/// The gap that everything must keep from what was rounded, for coordinates up to `largest` in magnitude.
+/// The distance that everything must keep from rounded points, for coordinates up to `largest` in magnitude.
 constexpr double clearance_gap(double largest) { return largest * 0x1p-46; }
 
-/// True when p keeps further than `gap` from the segment (a, b). Computed in floating point: off by some 2^-50 of the
-/// largest coordinate, which the gap allows for. Where a product overflows or underflows the answer is false.
+/// True if the distance of p from the segment (a, b) is more than `gap`. Computed in floating point: the error is about
+/// 2^-50 of the largest coordinate, for which the gap has room. If a product overflows or underflows, the result is
+/// false.
 inline bool is_far(const Point& p, const Point& a, const Point& b, double gap) {
   const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, qx = p.x - b.x, qy = p.y - b.y;
   const double square = dx * dx + dy * dy;

@@ -1,7 +1,7 @@
-// The unit in the last place of the largest coordinate: what displacements and clearances are measured in.
+// The unit in the last place of the largest coordinate. Displacements and clearances are measured in this unit.
 //
-// A crossing is put into the domain, too: one nearer to an axis than its smallest magnitude moves by up to half of
-// that. So near the lower end of the domain this magnitude is the unit.
+// Crossings are also rounded to the domain: a crossing closer to an axis than the smallest magnitude moves by up to
+// half of that magnitude. So near the lower end of the domain, this magnitude is the unit.
 #pragma once
 
 #include <oblast/domain.h>
@@ -21,8 +21,8 @@ inline double largest_coordinate(std::span<const Point> points) {
   return largest;
 }
 
-/// Of a coordinate of the domain; a crossing moves by no more than half of it in either coordinate.
-/// By the bits of its exponent: this is asked for every run.
+/// The unit for a coordinate of the domain. Rounding moves a crossing by at most half of it in each coordinate.
+/// Computed from the bits of the exponent, because every run needs it.
 inline double ulp_of(double coordinate) {
   constexpr std::uint64_t exponent_bits = 0x7ff0'0000'0000'0000;
   const auto bits = std::bit_cast<std::uint64_t>(std::max(coordinate, domain_smallest));

@@ -20,21 +20,21 @@ Box common_box(const Box& p, const Box& q) {
   return {std::max(p.x0, q.x0), std::max(p.y0, q.y0), std::min(p.x1, q.x1), std::min(p.y1, q.y1)};
 }
 
-/// Closed segments: true when they share any point. REQUIRES: their boxes do.
+/// True if two closed segments have a point in common. REQUIRES: their boxes meet.
 bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   if (orientation(a, b, c) * orientation(a, b, d) > 0) return false;
   return orientation(c, d, a) * orientation(c, d, b) <= 0;
 }
 
-/// u -- v -- w folds back onto itself.
+/// True if the path u -- v -- w folds back onto itself.
 bool folds(const Point& u, const Point& v, const Point& w) {
   return lexicographically_less(u, v) != lexicographically_less(v, w) && orientation(u, v, w) == 0;
 }
 
-/// In which of eight directions, all around, an edge surely gets on: of each a bit.
+/// The directions, out of eight around, along which an edge certainly advances: one bit each.
 std::uint8_t directions_of(const Point& a, const Point& b) {
   const double x = b.x - a.x, y = b.y - a.y;
-  // More than rounding makes of a sum.
+  // More than the rounding error of a sum.
   const double safe = 0x1p-40 * (std::fabs(x) + std::fabs(y));
   const double rising = x + y, falling = x - y;
   const unsigned diagonals = static_cast<unsigned>(rising > safe) | static_cast<unsigned>(rising < -safe) << 1 |
@@ -106,7 +106,7 @@ std::optional<bool> RingTree::edges_meet() const {
   std::array<Pair, stack_size> stack;
   std::size_t on_stack = 0, looks = 0;
   const auto push = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
-    if (j >= size(level) || (j <= i + 1 && get_on(level, i, j))) return;
+    if (j >= size(level) || (j <= i + 1 && are_monotone(level, i, j))) return;
     if (i == j || box(level, i).meets(box(level, j))) stack[on_stack++] = {level, i, j};
   };
   push(static_cast<std::uint32_t>(level_begins_.size() - 2), 0, 0);
@@ -128,8 +128,8 @@ std::optional<bool> RingTree::edges_meet() const {
   return false;
 }
 
-/// Whether all pieces under i and j, which are the same or follow one another, get on in one direction.
-bool RingTree::get_on(std::uint32_t level, std::uint32_t i, std::uint32_t j) const {
+/// True if all pieces under i and j are monotone in one direction. REQUIRES: i and j are equal or consecutive.
+bool RingTree::are_monotone(std::uint32_t level, std::uint32_t i, std::uint32_t j) const {
   const std::uint8_t* const directions = &directions_[level_begins_[level]];
   if ((directions[i] & directions[j]) == 0) return false;
   return i == j || leaves_[i << level].ring == leaves_[j << level].ring;
@@ -173,7 +173,7 @@ std::optional<Array<bool>> RingTree::odd_depths() const {
   return odd;
 }
 
-/// Counts the edges of other rings that a ray from a vertex of this one to the left crosses.
+/// Counts the edges of other rings that cross a ray to the left from a vertex of this ring.
 std::optional<bool> RingTree::is_odd(std::uint32_t ring, std::size_t& looks) const {
   const Point& p = points_[begin(ring)];
   const std::uint32_t own_begin = first_leaves_[ring], own_end = first_leaves_[ring + 1];
@@ -202,8 +202,8 @@ std::optional<bool> RingTree::is_odd(std::uint32_t ring, std::size_t& looks) con
   return odd;
 }
 
-/// Of pieces that follow, all to the left of where the ray begins: a path crosses its line an odd number of times where
-/// its ends are on two sides of it, and what is between the first ring and the last one is closed.
+/// For consecutive pieces that are all left of the beginning of the ray. A path crosses the line of the ray an odd
+/// number of times if its ends are on different sides of it. Rings between the first and the last one are closed.
 bool RingTree::left_crossings_are_odd(std::uint32_t first_leaf, std::uint32_t last_leaf, double y) const {
   const Leaf &first = leaves_[first_leaf], &last = leaves_[last_leaf];
   const auto above = [&](std::uint32_t vertex) { return points_[vertex].y > y; };

@@ -1,14 +1,13 @@
-// Boxes along the rings of a polygon: a binary tree over pieces that get on in one direction, in the order in which
-// they follow.
+// Boxes along the rings of a polygon: a binary tree over consecutive pieces, each monotone in some direction.
 //
-//   pieces  p0 p1 p2 p3 p4 p5 p6      of rings that stand one after another, each closed
-//   boxes   [     ][     ][     ][]   of two
-//           [            ][       ]   of four, and so on
+//   pieces  p0 p1 p2 p3 p4 p5 p6      of consecutive closed rings
+//   boxes   [     ][     ][     ][]   of two pieces
+//           [            ][       ]   of four pieces, and so on
 //
-// A piece does not meet itself, nor do pieces that follow one another in one direction. What follows along a ring lies
-// near by in the plane, so the boxes fit well although nothing was sorted, and building them costs next to nothing.
-// Where a ring wanders about, as stars do, they say little: then there is no answer within a stated number of looks,
-// and the caller has other means.
+// A piece does not meet itself, nor do consecutive pieces that are monotone in the same direction. Consecutive pieces
+// are close in the plane, so the boxes are small although nothing was sorted, and building them costs little. If a ring
+// winds a lot, as stars do, the boxes exclude little. Then there is no answer within a given number of comparisons, and
+// the caller must find it in another way.
 #pragma once
 
 #include <oblast/point.h>
@@ -24,22 +23,22 @@ namespace oblast::internal {
 
 class RingTree {
  public:
-  /// Takes the place of what was built before. `ends`: by ring, past its last vertex, which is its first one again.
-  /// REQUIRES: at least three vertices a ring, no two neighbours equal. Cost: linear.
+  /// Builds the tree, and replaces the one before. `ends`: by ring, the end of its vertices; the last vertex repeats
+  /// the first. REQUIRES: each ring has at least three vertices, and no two neighbours are equal. Cost: linear.
   void build(std::span<const Point> points, std::span<const std::uint32_t> ends);
 
-  /// Whether edges meet other than by following one another, be it of one ring or of two. Nothing where that takes more
-  /// looks than so many a piece.
+  /// True if edges meet (of one ring or of two), except consecutive edges at their common vertex. Nothing if the
+  /// decision takes more than a given number of comparisons per piece.
   std::optional<bool> edges_meet() const;
 
-  /// By ring, whether it lies in an odd number of the others. Nothing where that takes too long.
-  /// REQUIRES: edges do not meet.
+  /// For each ring, whether an odd number of the others contain it. Nothing if that takes too long. REQUIRES: edges do
+  /// not meet.
   std::optional<Array<bool>> odd_depths() const;
 
  private:
   struct Leaf {
     std::uint32_t first;  ///< first edge
-    std::uint32_t last;   ///< past the last edge, which is also the index of the last vertex
+    std::uint32_t last;   ///< the end of its edges; also the index of the last vertex
     std::uint32_t ring;
   };
   struct Pair {
@@ -55,7 +54,7 @@ class RingTree {
   std::uint32_t begin(std::uint32_t ring) const { return ring == 0 ? 0 : ends_[ring - 1]; }
   std::size_t most_looks() const;
 
-  bool get_on(std::uint32_t level, std::uint32_t i, std::uint32_t j) const;
+  bool are_monotone(std::uint32_t level, std::uint32_t i, std::uint32_t j) const;
   bool leaves_meet(std::uint32_t p, std::uint32_t q) const;
   bool edges_meet(std::uint32_t i, std::uint32_t j, std::uint32_t ring) const;
   std::optional<bool> is_odd(std::uint32_t ring, std::size_t& looks) const;
@@ -65,10 +64,10 @@ class RingTree {
   std::span<const Point> points_;
   std::span<const std::uint32_t> ends_;
   Array<Leaf> leaves_;
-  Array<std::uint32_t> first_leaves_;  ///< by ring, and past the last one
-  Array<Box> boxes_;                   ///< level by level, leaves first
-  Array<std::uint8_t> directions_;     ///< as boxes_: a bit for each in which all edges there get on
-  Array<std::size_t> level_begins_;    ///< boxes may be twice as many as vertices
+  Array<std::uint32_t> first_leaves_;  ///< by ring: its first leaf; and the end of the last one
+  Array<Box> boxes_;                   ///< by level, leaves first
+  Array<std::uint8_t> directions_;     ///< for each box: a bit for each direction along which all its edges advance
+  Array<std::size_t> level_begins_;    ///< there may be twice as many boxes as vertices
 };
 
 }  // namespace oblast::internal

@@ -11,8 +11,8 @@ namespace oblast::internal {
 namespace {
 
 SmallestVertex smallest_vertex_between(std::span<const Point> ring, std::size_t begin, std::size_t end) {
-  // First the smallest x, without branches, of every fourth so that none waits for the one before; few vertices have
-  // it.
+  // First finds the smallest x, without branches, in four independent sequences, so that no step waits for the one
+  // before. Few vertices have the smallest x.
   std::array<double, 4> smallest_x;
   smallest_x.fill(ring[begin].x);
   std::size_t next = begin;

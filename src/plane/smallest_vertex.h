@@ -1,4 +1,4 @@
-// The smallest vertex of a ring: where it starts, and what tells its direction.
+// The smallest vertex of a ring. A canonical ring starts there, and the turn there determines the direction.
 #pragma once
 
 #include <oblast/point.h>
@@ -10,11 +10,11 @@ namespace oblast::internal {
 
 struct SmallestVertex {
   std::uint32_t vertex;
-  bool repeated;  ///< a later one is at the same place
+  bool repeated;  ///< a later vertex is at the same point
 };
 
-/// The first of those vertices than which none is lexicographically smaller. REQUIRES: at least one. Cost: linear, on
-/// all cores where they are many.
+/// The first of the lexicographically smallest vertices. REQUIRES: the ring has a vertex. Cost: linear, on all cores
+/// for long rings.
 SmallestVertex smallest_vertex(std::span<const Point> ring);
 
 }  // namespace oblast::internal

@@ -1,11 +1,11 @@
-// A region set of its own, of what a caller's arrays show.
+// Copies a view into a region set.
 #pragma once
 
 #include <oblast/region_set.h>
 
 namespace oblast::internal {
 
-/// Offsets count from zero in the copy. REQUIRES: validated.
+/// The copy. Its offsets begin at zero. REQUIRES: the view is valid.
 inline RegionSet copy_of(const RegionView& regions) {
   RegionSet copy{{regions.points.begin(), regions.points.end()},
                  {regions.contour_ends.begin(), regions.contour_ends.end()},

@@ -11,7 +11,7 @@ namespace oblast {
 using namespace internal;
 namespace {
 
-/// Of each contour by itself, so that the sum has the same terms whatever the threads.
+/// The area of each contour separately. So the sum has the same terms on any number of threads.
 Array<double> contour_areas(const RegionView& regions) {
   Array<double> areas(regions.contour_count());
   for_ranges(areas.size(), tuning::measured_contours_a_task, [&](std::size_t c, std::size_t end) {

@@ -1,4 +1,4 @@
-// What readers of polygons have in common: rings come one by one, and leave their closing point behind.
+// The common part of the readers of polygons: they add rings one by one, and closing points are removed.
 #pragma once
 
 #include <oblast/domain.h>
@@ -16,7 +16,7 @@
 
 namespace oblast::internal {
 
-/// Collections in collections that readers follow: each is a frame of their stack.
+/// The deepest nesting of collections that readers accept. Each level is a frame of their stack.
 inline constexpr int deepest_collection = 64;
 
 inline Place at_byte(std::size_t byte) {
@@ -25,7 +25,7 @@ inline Place at_byte(std::size_t byte) {
   return place;
 }
 
-/// The end of a message.
+/// The end of a message that has a byte position.
 inline std::string words_for_byte(std::size_t byte) { return ", at byte " + std::to_string(byte); }
 
 [[noreturn]] inline void throw_at_byte(ErrorCode code, const std::string& what, std::size_t byte) {
@@ -39,7 +39,7 @@ inline double checked_coordinate(double value, std::size_t byte) {
   throw_bad_coordinate(std::isfinite(value), at_byte(byte), words_for_byte(byte));
 }
 
-/// Polygons as a file has them: empty rings and polygons are left out.
+/// Collects the polygons of a text or binary. Empty rings and polygons are left out.
 class PolygonCollector {
  public:
   void begin_polygon() { contours_before_ = regions_.contour_ends.size(); }
@@ -71,7 +71,7 @@ class PolygonCollector {
 
   RegionSet regions_;
   std::size_t contours_before_ = 0;
-  Charge charge_;  ///< for the points, most of it
+  Charge charge_;  ///< for the points, which take most of the memory
 };
 
 }  // namespace oblast::internal

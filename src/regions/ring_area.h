@@ -1,4 +1,4 @@
-// Sums of areas of triangles, with what rounding takes from them.
+// Sums of areas of triangles, with compensation of rounding errors.
 #pragma once
 
 #include <oblast/point.h>
@@ -8,7 +8,7 @@
 
 namespace oblast::internal {
 
-/// Neumaier's sum: as if added up in twice the precision.
+/// Neumaier's compensated sum: as exact as with twice the precision.
 class CompensatedSum {
  public:
   void add(double term) {
@@ -23,8 +23,8 @@ class CompensatedSum {
   double sum_ = 0, compensation_ = 0;
 };
 
-/// Adds the signed area of a ring: the triangles of the fan from its first vertex, whose coordinates relative to that
-/// vertex make terms small and cancellation little.
+/// Adds the signed area of a ring: the sum over the triangles of the fan from its first vertex. Coordinates relative to
+/// that vertex make terms and cancellation small.
 inline void add_ring_area(std::span<const Point> ring, CompensatedSum& sum) {
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
     const Point &o = ring[0], &p = ring[i], &q = ring[i + 1];

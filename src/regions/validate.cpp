@@ -21,7 +21,7 @@ void check_offsets(const RegionView& v, std::size_t operand) {
       throw Error(ErrorCode::bad_offsets,
                   std::string(name) + " must not decrease and must end at " + std::to_string(first + size), {operand});
   };
-  // Before anything is read: sizes alone tell.
+  // The sizes are checked before anything is read.
   const auto check_size = [&](std::size_t count, const char* what, std::size_t most) {
     if (count > most) throw_too_many(what, most, operand);
   };
@@ -45,7 +45,7 @@ Place place_of(const RegionView& v, std::size_t operand, std::size_t vertex) {
   return {operand, polygon, contour, vertex - v.contour_begin(contour)};
 }
 
-/// The first that is not in the domain; the size where all are.
+/// The index of the first point that is not in the domain; the number of points if all are.
 std::size_t first_bad(std::span<const Point> points) {
   const auto is_good = [](const Point& p) { return in_domain(p.x) && in_domain(p.y); };
   std::atomic<bool> all_good = true;

@@ -1,7 +1,8 @@
 // Well-Known Binary (ISO 13249-3, section 5.1.47; EWKB as PostGIS writes it), by one pass over the bytes.
 //
-// Nothing is read or made before the bytes for it are known to be there. A count of things that have at least so many
-// bytes each is compared with what is left, so a loop over it is no longer than the input.
+// Nothing is read or allocated before it is known that the bytes for it exist. Before a count is used, it is compared
+// with the number of remaining bytes, divided by the smallest size of an element. So a loop over it is no longer than
+// the input.
 #include <oblast/wkb.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ class WkbReader {
   RegionSet read() {
     geometry(0, 0);
     if (at_ != bytes_.size())
-      fail(std::to_string(bytes_.size() - at_) + " bytes are left over after the geometry", at_);
+      fail(std::to_string(bytes_.size() - at_) + " bytes follow the geometry; nothing may follow it", at_);
     return collector_.take();
   }
 
@@ -49,7 +50,7 @@ class WkbReader {
 
   template <class T>
   T number() {
-    if (left() < sizeof(T)) fail("the bytes end within a number", at_);
+    if (left() < sizeof(T)) fail("the bytes end inside a number", at_);
     T value;
     std::memcpy(&value, bytes_.data() + at_, sizeof(T));
     at_ += sizeof(T);
@@ -61,22 +62,22 @@ class WkbReader {
     return checked_coordinate(number<double>(), place);
   }
 
-  /// How many of what has at least `bytes_each` bytes.
+  /// Reads a count of elements that have at least `bytes_each` bytes each.
   std::uint32_t count(std::size_t bytes_each, const char* what) {
     const std::size_t place = at_;
     const auto counted = number<std::uint32_t>();
     if (counted > left() / bytes_each)
-      fail("a count of " + std::to_string(counted) + ' ' + what + ", for which " + std::to_string(left()) +
-               " bytes are too few",
+      fail("the count is " + std::to_string(counted) + ' ' + what + ", but the remaining " + std::to_string(left()) +
+               " bytes are too few for them",
            place);
     return counted;
   }
 
-  /// The type without its dimensions, of which the number of doubles a point is kept.
+  /// Reads a header. Returns the type without its dimensions, and stores the number of doubles per point.
   std::uint32_t header() {
-    if (left() == 0) fail("the bytes end before a geometry", at_);
+    if (left() == 0) fail("the bytes end where a geometry must begin", at_);
     const auto order = std::to_integer<unsigned>(bytes_[at_]);
-    if (order > 1) fail("byte order " + std::to_string(order) + " is neither 0 nor 1", at_);
+    if (order > 1) fail("the byte order is " + std::to_string(order) + "; it must be 0 or 1", at_);
     ++at_;
     swap_ = (order == 1) != (std::endian::native == std::endian::little);
     const auto code = number<std::uint32_t>();
@@ -93,12 +94,14 @@ class WkbReader {
     const std::size_t place = at_;
     const std::uint32_t type = header();
     if (expected != 0 && type != expected)
-      fail("a geometry of type " + std::to_string(type) + " in a multipolygon", place + 1);
+      fail("a multipolygon has a geometry of type " + std::to_string(type) + "; it may have only polygons (3)",
+           place + 1);
     if (type == polygon_type) return polygon();
     if (type != multipolygon_type && type != collection_type)
-      fail("type " + std::to_string(type) + " is not polygon (3), multipolygon (6) or collection (7)", place + 1);
+      fail("the type is " + std::to_string(type) + "; it must be polygon (3), multipolygon (6) or collection (7)",
+           place + 1);
     if (depth == deepest_collection)
-      fail("collections in collections, more than " + std::to_string(deepest_collection) + " deep", place);
+      fail("collections are nested more than " + std::to_string(deepest_collection) + " levels deep", place);
     const std::uint32_t parts = count(header_bytes, "geometries");
     for (std::uint32_t i = 0; i < parts; ++i) geometry(type == multipolygon_type ? polygon_type : 0, depth + 1);
   }
@@ -125,13 +128,13 @@ class WkbReader {
 
   std::span<const std::byte> bytes_;
   std::size_t at_ = 0;
-  bool swap_ = false;                ///< of the geometry that is read
-  std::size_t doubles_a_point_ = 2;  ///< likewise
+  bool swap_ = false;                ///< for the current geometry: bytes must be swapped
+  std::size_t doubles_a_point_ = 2;  ///< for the current geometry
   PolygonCollector collector_;
   Steps steps_;
 };
 
-/// Puts numbers, little endian, one after another into bytes that are enough for all.
+/// Writes little-endian numbers, one after another, into an array of the right size.
 class WkbWriter {
  public:
   explicit WkbWriter(std::size_t bytes) : bytes_(bytes) {}
@@ -192,7 +195,7 @@ std::vector<std::byte> written(const RegionView& regions) {
 }  // namespace
 
 RegionSet read_wkb(std::span<const std::byte> bytes, const CallOptions& options) {
-  // As a call on no vertices it stays on this thread.
+  // Counts as a call on no vertices, so it stays on this thread.
   return public_call(options, 0, [&](Control&) { return WkbReader(bytes).read(); });
 }
 

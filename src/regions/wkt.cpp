@@ -11,7 +11,7 @@ namespace oblast {
 using namespace internal;
 namespace {
 
-// Not those of <cctype>, which ask the locale.
+// The functions of <cctype> depend on the locale.
 constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 constexpr bool is_letter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
@@ -25,7 +25,7 @@ class WktReader {
     geometry(0);
     (void)accepts(';');
     skip_spaces();
-    if (at_ != end_) fail("there is more after the geometry");
+    if (at_ != end_) fail("text follows the geometry; only one geometry is read");
     return collector_.take();
   }
 
@@ -54,7 +54,7 @@ class WktReader {
     at_ = before;
     return false;
   }
-  /// In capitals; empty where there is none. Of a long one the beginning, which is none of ours.
+  /// Reads a word and returns it in capitals; empty if there is none. A word that is too long to be known is cut off.
   std::string word() {
     skip_spaces();
     std::string letters;
@@ -74,7 +74,7 @@ class WktReader {
     expect(';', "after the SRID");
   }
 
-  /// What stands between the type and the contents. `suffix`: what is written onto the type.
+  /// Reads the dimensions between the type and the contents. `suffix`: the dimensions that are joined to the type.
   void dimensions(std::string suffix) {
     const char* const before = at_;
     if (suffix.empty()) suffix = word();
@@ -99,11 +99,11 @@ class WktReader {
     if (is("MULTIPOLYGON")) return list([this] { polygon(); });
     if (!is("GEOMETRYCOLLECTION")) fail("expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION", where);
     if (depth == deepest_collection)
-      fail("collections in collections, more than " + std::to_string(deepest_collection) + " deep", where);
+      fail("collections are nested more than " + std::to_string(deepest_collection) + " levels deep", where);
     list([this, depth] { geometry(depth + 1); });
   }
 
-  /// EMPTY, or items in parentheses.
+  /// Reads EMPTY, or items in parentheses.
   template <class Item>
   void list(const Item& item) {
     if (accepts_word("EMPTY")) return;
@@ -128,7 +128,7 @@ class WktReader {
     const double x = coordinate(), y = coordinate();
     int numbers = 2;
     for (; numbers < most_numbers_ && begins_number(); ++numbers) (void)number();
-    if (numbers < least_numbers_) fail("expected " + std::to_string(least_numbers_) + " numbers a point");
+    if (numbers < least_numbers_) fail("expected " + std::to_string(least_numbers_) + " numbers per point");
     collector_.add({x, y});
   }
 
@@ -159,7 +159,7 @@ class WktReader {
   const char* begin_;
   const char* at_;
   const char* end_;
-  int least_numbers_ = 2, most_numbers_ = 4;  ///< of a point of the geometry that is read
+  int least_numbers_ = 2, most_numbers_ = 4;  ///< of a point of the current geometry
   PolygonCollector collector_;
   Steps steps_;
 };
@@ -228,7 +228,7 @@ class WktWriter {
 }  // namespace
 
 RegionSet read_wkt(std::string_view text, const CallOptions& options) {
-  // As a call on no vertices it stays on this thread.
+  // Counts as a call on no vertices, so it stays on this thread.
   return public_call(options, 0, [&](Control&) { return WktReader(text).read(); });
 }
 

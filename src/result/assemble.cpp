@@ -12,7 +12,7 @@
 namespace oblast::internal {
 namespace {
 
-/// A ring read from a chosen vertex.
+/// A ring that is read from a given vertex on.
 class Rotation {
  public:
   explicit Rotation(const Rings& rings) : points_(rings.points.data()), begin_(0), end_(0), start_(0) {}
@@ -43,12 +43,12 @@ class Rotation {
   std::uint32_t begin_, end_, start_;
 };
 
-/// A polygon with what it is ordered by.
+/// A polygon with its sort key.
 struct PolygonKey {
   Point first;        ///< of its outer ring
   std::uint32_t row;  ///< of the result
   std::uint32_t index;
-  std::uint32_t outer;  ///< that ring
+  std::uint32_t outer;  ///< its outer ring
 };
 
 Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
@@ -57,7 +57,7 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
   const std::uint32_t best = begin + first;
   Rotation rotation(rings, ring, best);
   if (!repeated) return rotation;
-  // Under leonov_nikitin a contour may come by its smallest vertex more than once.
+  // Under leonov_nikitin a contour may visit its smallest vertex more than once.
   for (std::uint32_t v = best + 1; v < end; ++v) {
     if (rings.points[v] != rings.points[best]) continue;
     const Rotation other(rings, ring, v);
@@ -66,7 +66,7 @@ Rotation canonical_rotation(const Rings& rings, std::size_t ring) {
   return rotation;
 }
 
-/// Without what is in its arrays; these stay.
+/// The same arrays without their elements; the capacity stays.
 RegionSet emptied(RegionSet spare) {
   spare.points.clear();
   spare.contour_ends.clear();
@@ -90,7 +90,7 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) 
     }
   });
 
-  // Polygons by their outer rings; the rings of each together, the outer one first.
+  // Polygons in the order of their outer rings. The rings of a polygon are together, the outer one first.
   Array<std::uint32_t> ends(nesting.polygon_count + 1, 0);
   for (const std::uint32_t polygon : nesting.polygon) ++ends[polygon + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
@@ -143,7 +143,7 @@ RegionSet join(Array<RegionSet> parts, RegionSet spare, PolygonRows* rows) {
     return std::move(parts[0]);
   }
   struct Polygon {
-    Point first;  // no other polygon starts there: parts have no point in common
+    Point first;  // no polygon of another part starts there: parts have no point in common
     std::uint32_t part, index;
     std::uint32_t row;
     std::uint32_t point, contour;  // where it begins in the result
@@ -159,7 +159,7 @@ RegionSet join(Array<RegionSet> parts, RegionSet spare, PolygonRows* rows) {
       polygons.push_back(
           {view.points[view.contour_begin(view.polygon_begin(p))], i, p, rows ? rows->of[i][p] : 0, 0, 0});
   }
-  // Of one part polygons are in order already, also where two start at the same vertex.
+  // The polygons of one part are sorted already, even if two start at the same vertex.
   parallel_sort(polygons.begin(), polygons.end(), [](const Polygon& p, const Polygon& q) {
     if (p.row != q.row) return p.row < q.row;
     if (p.first != q.first) return lexicographically_less(p.first, q.first);

@@ -1,4 +1,4 @@
-// Which vertices of the result noding left behind, and where the result touches itself.
+// Finds the vertices of the result that noding added, and those at which the result touches itself.
 #include <algorithm>
 #include <atomic>
 #include <utility>
@@ -12,14 +12,14 @@
 namespace oblast::internal {
 namespace {
 
-/// Without branches: chains come node by node, so each condition is hard to foresee.
+/// Without branches: chains are in the order of nodes, so the processor cannot predict the conditions.
 template <class... Bool>
 bool all(Bool... conditions) {
   return static_cast<bool>((static_cast<int>(conditions) & ...));
 }
 
-/// Finds the trace vertices: places added by noding, no vertex of an edge that still changes a winding
-/// number, where the result has just two pieces of one input edge.
+/// Finds the trace vertices: vertices that noding added, at which the result has exactly two edges, both pieces of one
+/// input edge, and at which no live edge has a vertex of the input.
 class TraceFinder {
  public:
   TraceFinder(const ChainGraph& graph, const Selection& selection)
@@ -37,7 +37,7 @@ class TraceFinder {
   bool added(std::uint32_t vertex) const { return (graph_.strands.flags[vertex] & noding::added_flag) != 0; }
   bool is_selected(const Chain& chain) const { return selection_[chain.merged_into] != none; }
 
-  /// Chains are looked at in order, and their vertices are all over the strands.
+  /// Chains are visited in order, but their vertices are spread over all strands.
   void fetch_flags_ahead(std::size_t chain) const {
     if (chain + fetched_ahead < graph_.chains.size())
       fetch(&graph_.strands.flags[graph_.chains[chain + fetched_ahead].first]);
@@ -77,7 +77,7 @@ class TraceFinder {
     });
     Array<Array<TraceEdge>> found(range_count(graph_.first_loop, elements_a_task));
     for_numbered_ranges(graph_.first_loop, elements_a_task, [&](std::size_t i, std::size_t begin, std::size_t end) {
-      // Chains that follow one another in a strand at an added vertex are pieces of one input edge.
+      // Two consecutive chains of a strand that share an added vertex are pieces of one input edge.
       for (std::size_t c = begin; c < end; ++c) {
         fetch_flags_ahead(c);
         fetch_before_ahead(c);

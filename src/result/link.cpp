@@ -10,16 +10,16 @@
 namespace oblast::internal {
 namespace {
 
-/// Of a chain whose walk is known to leave the range of nodes it was begun in.
+/// The value for a chain whose walk leaves the range of nodes in which it began.
 constexpr std::uint32_t far_walk = none - 1;
 
-/// What the walks go over.
+/// The data that the walks use.
 struct Paths {
   const ChainGraph& graph;
   const Selection& selection;
   ContourConvention convention;
-  LargeArray<Descriptor> next;              ///< by chain: the descriptor its walk goes on with
-  LargeArray<std::uint32_t> walk_of_chain;  ///< none or far_walk until it is collected
+  LargeArray<Descriptor> next;              ///< by chain: the next descriptor of its walk
+  LargeArray<std::uint32_t> walk_of_chain;  ///< by chain: none or far_walk until it is collected
   /// By node, for ogc: index in the path of the descriptor that starts there.
   LargeArray<std::uint32_t> place_on_path;
 
@@ -29,12 +29,12 @@ struct Paths {
   bool is_loop(std::uint32_t chain) const { return graph.chains[chain].is_loop(); }
 };
 
-/// Collects walks into contours. Several work side by side where their walks have no node in common.
+/// Collects walks into contours. Several collectors may work in parallel if their walks have no node in common.
 class WalkCollector {
  public:
   explicit WalkCollector(Paths& paths) : paths_(paths) {}
 
-  /// Walks among the nodes [begin, end) only. The others are marked, and their chains noted.
+  /// Collects the walks that stay among the nodes [begin, end). Marks the other walks, and stores their chains.
   void collect_near(std::uint32_t begin, std::uint32_t end) {
     const auto& list_ends = paths_.graph.list_ends;
     for (std::uint32_t i = begin == 0 ? 0 : list_ends[begin - 1]; i < list_ends[end - 1]; ++i) {
@@ -52,7 +52,7 @@ class WalkCollector {
     }
   }
 
-  /// One walk from a first chain until it closes.
+  /// Collects one walk, from its first chain until it closes.
   void collect(std::uint32_t first_chain) {
     collect(first_chain, [](std::uint32_t, std::uint32_t) { return true; });
   }
@@ -61,10 +61,10 @@ class WalkCollector {
   Array<std::uint32_t> ends;  ///< by contour
   Array<std::uint32_t> walk;  ///< by contour
   std::uint32_t walk_count = 0;
-  Array<std::uint32_t> far_chains;  ///< begin in the range, and belong to walks that leave it
+  Array<std::uint32_t> far_chains;  ///< chains that begin in the range and belong to walks that leave it
 
  private:
-  /// One walk; or nothing, where it comes to a chain that is not near by its first node.
+  /// Collects one walk; or nothing, if it reaches a chain whose first node is not near.
   template <class IsNear>
   void collect(std::uint32_t first_chain, const IsNear& is_near) {
     const bool loop = paths_.is_loop(first_chain);
@@ -87,7 +87,7 @@ class WalkCollector {
     ++walk_count;
   }
 
-  /// Takes back a walk, whose contours from `first_contour` on are parted from it already.
+  /// Undoes a walk. Its contours from `first_contour` on were already separated from it.
   void mark_far(std::size_t first_contour, bool parts) {
     if (parts) leave_path(0);
     emit(0);
@@ -102,7 +102,7 @@ class WalkCollector {
     for (std::size_t i = begin; i < path_.size(); ++i) paths_.place_on_path[paths_.graph.start_node(path_[i])] = none;
   }
 
-  /// The walk is at `node`: when it has been here before, what lies between is a contour of its own.
+  /// The walk is at `node`. If it was here before, the chains since then are a separate contour.
   void part_at(std::uint32_t node) {
     const std::uint32_t place = paths_.place_on_path[node];
     if (place != none) {
@@ -135,7 +135,7 @@ class Linker {
 
   LinkedContours run() {
     find_successors();
-    // Nodes that are near in the plane are near in memory, so most short walks stay within a range.
+    // Nodes that are close in the plane are close in memory, so most short walks stay within a range.
     constexpr std::size_t nodes_a_range = tuning::linked_nodes_a_range;
     const std::size_t node_count = paths_.graph.node_count(), in_ranges = node_count <= nodes_a_range ? 0 : node_count;
     Array<WalkCollector> collectors(range_count(in_ranges, nodes_a_range) + 1, WalkCollector(paths_));
@@ -157,8 +157,8 @@ class Linker {
   }
 
  private:
-  /// Jump, for all nodes at once: around a node selected chains arrive and leave in turn, and a walk that
-  /// arrives leaves by the selected descriptor before it.
+  /// Jump, for all nodes at once. Around a node, selected chains arrive and leave alternately. A walk that arrives
+  /// leaves by the selected descriptor before it.
   void find_successors() {
     for_ranges(paths_.graph.node_count(), tuning::linked_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {

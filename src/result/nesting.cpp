@@ -13,13 +13,13 @@
 namespace oblast::internal {
 namespace {
 
-/// The smallest vertex of a ring and the edge by which the ring arrives there.
+/// The smallest vertex of a ring, and the edge by which the ring arrives there.
 struct Smallest {
   BelowQuery arrival;
   bool outer = true;
 };
 
-/// A ring that touches itself may visit its smallest vertex more than once; one right turn there makes it a hole.
+/// A ring that touches itself may visit its smallest vertex more than once. It is a hole if it turns right there once.
 Smallest look_at_smallest(const Rings& rings, std::size_t ring) {
   const std::uint32_t begin = rings.begin(ring), end = rings.ends[ring];
   const auto [first, repeated] = smallest_vertex(std::span(rings.points).subspan(begin, end - begin));
@@ -36,7 +36,7 @@ Smallest look_at_smallest(const Rings& rings, std::size_t ring) {
   return found;
 }
 
-/// True when the arrival of q is at a smaller vertex, or at the same one from below.
+/// True if q arrives at a smaller vertex than r, or at the same vertex from below.
 bool lower(const BelowQuery& q, const BelowQuery& r) {
   if (q.p != r.p) return lexicographically_less(q.p, r.p);
   return exact::orientation(q.p, q.q, r.q) > 0;

@@ -1,9 +1,9 @@
-// Stage 6, first half: which contours bound one region, from the faces of the result.
+// Stage 6, first half: finds which contours bound the same region, from the faces of the result.
 //
-// A walk with the outside to the west of its smallest vertex is the outer contour of a polygon. Any other
-// is a hole: directly below its smallest vertex p lies a chain of another walk, and between the two
-// nothing, so both bound the same region. That walk's smallest vertex is smaller, so in the order of
-// smallest vertices its polygon is known.
+// If the outside is to the west of the smallest vertex of a walk, the walk is the outer contour of a polygon. Any other
+// walk is a hole: directly below its smallest vertex p lies a chain of another walk, and nothing lies between the two.
+// So both bound the same region. The smallest vertex of that walk is smaller, so in the order of smallest vertices its
+// polygon is known already.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// Edges that cancel leave nothing behind (promise G3a).
+// Edges that cancel leave no vertices in the result (promise G3a).
 //
-// Spans of trace vertices that may go are taken out at once (trace_spans.h says which). Of the others, vertices are
-// taken out one by one until none can go (retry_traces.h). So the outcome is a function of the result alone, promise G2
-// holds, and no vertex stays that could go.
+// All spans of trace vertices that may be removed are removed at once (trace_spans.h says which). From the other spans,
+// vertices are removed one by one until no more can be removed (retry_traces.h). So the outcome depends on the result
+// alone, promise G2 holds, and no vertex remains that could be removed.
 #include "result/remove_traces.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void refuse_where_ends_are_shared(const TraceSpans& spans, Array<bool>& refused)
   for (std::size_t i = 1; i < chords.size(); ++i)
     if (chords[i].ends == chords[i - 1].ends) refused[chords[i].span] = refused[chords[i - 1].span] = true;
 
-  // An edge that has both ends of a chord begins at an end of the chord.
+  // An edge between both ends of a chord begins at an end of the chord.
   const Rings& rings = spans.rings;
   Steps steps(rings.points.size());
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -72,8 +72,8 @@ void refuse_where_ends_are_shared(const TraceSpans& spans, Array<bool>& refused)
 }
 
 Rings drop_collinear(const Rings& rings) {
-  // The ends of an open path are touches. Collinear with both neighbours is collinear with the vertices that stay on
-  // either side.
+  // A vertex that is collinear with both neighbours is collinear with the next vertices that remain on either side. The
+  // ends of an open path are touches, so they remain.
   return without_if(rings, [&](std::size_t r, std::uint32_t v) {
     const Point &before = rings.points[rings.before(r, v)], &after = rings.points[rings.after(r, v)];
     return !(rings.flags[v] & touch_vertex) && exact::orientation(before, rings.points[v], after) == 0;

@@ -1,4 +1,4 @@
-// Taking out traces of noding: stage 6.
+// Stage 6: removes traces of noding.
 #pragma once
 
 #include <oblast/options.h>
@@ -7,8 +7,9 @@
 
 namespace oblast::internal {
 
-/// Takes out every trace vertex that may go (promise G3a, trace_spans.h), and, under CollinearVertices::drop, exactly
-/// collinear ones. Cost: O((n + k) log n), where k vertices lie near edges that had traces; linear if there are none.
+/// Removes every trace vertex that may be removed (promise G3a, trace_spans.h), and with CollinearVertices::drop also
+/// exactly collinear ones. Cost: O((n + k) log n) if k vertices lie near edges with traces; linear if there are no
+/// traces.
 Rings remove_traces(Rings rings, CollinearVertices collinear);
 
 }  // namespace oblast::internal

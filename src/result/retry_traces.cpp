@@ -1,5 +1,6 @@
-// Shortest first, edges grow evenly: of n vertices of one span, half go in edges of two pieces, a quarter in edges of
-// four. So few edges are long, and what lies near them is looked at O(log n) times.
+// The vertex with the shortest new edge is removed first, so edges grow evenly: of n vertices of a span, the first half
+// is replaced by edges of two pieces, the next quarter by edges of four. So few edges are long, and each vertex near
+// them is tested O(log n) times.
 #include "result/retry_traces.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ class Retry {
       const Candidate candidate = queue_.top();
       queue_.pop();
       const std::uint32_t v = candidate.vertex;
-      if (!waits_[v] || candidate != candidate_of(v)) continue;  // tried since, or waits with another edge
+      if (!waits_[v] || candidate != candidate_of(v)) continue;  // tried since, or in the queue with another edge
       waits_[v] = false;
       if (may_go(v)) take_out(v);
     }
@@ -47,7 +48,7 @@ class Retry {
 
  private:
   struct Candidate {
-    double length;  ///< of the edge in its place, squared
+    double length;  ///< squared length of the edge that replaces the vertex
     std::uint32_t vertex;
     bool operator==(const Candidate&) const = default;
   };
@@ -60,8 +61,8 @@ class Retry {
     }
   };
 
-  /// Vertices that stay so far, along their rings; of those gone already, the one before that stays. The ends of an
-  /// open path have themselves beside them.
+  /// Links the vertices that remain so far, along their rings. A removed vertex is linked to the remaining one before
+  /// it, an end of an open path to itself.
   void link() {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       const std::uint32_t begin = rings_.begin(r), end = rings_.ends[r];
@@ -79,7 +80,7 @@ class Retry {
     }
   }
 
-  /// Vertices at which contours touch, those of one place beside each other.
+  /// Finds the vertices at which contours touch. Vertices at the same point are adjacent.
   void find_touches() {
     for (std::uint32_t v = 0; v < rings_.points.size(); ++v)
       if (rings_.flags[v] & touch_vertex) touches_.push_back(v);
@@ -90,7 +91,7 @@ class Retry {
     return lexicographically_less(rings_.points[v], rings_.points[w]);
   }
 
-  /// By span, along it; and by vertex, the spans it is near to.
+  /// Sorts by span and along it; and, for each vertex, the spans near it.
   void sort_near(const Array<bool>& refused, const Array<NearVertex>& near) {
     for (const NearVertex& n : near)
       if (refused[n.span] && !gone_[n.vertex]) near_.push_back(n);
@@ -108,7 +109,8 @@ class Retry {
     });
   }
 
-  /// The first of a vertex's members that count, as an index; that of another vertex, or past the end, if none does.
+  /// The index of the first member of a vertex that counts. If none does, the index of another vertex's member, or the
+  /// end.
   std::size_t member_of(std::uint32_t v) const {
     const auto& members = spans_.members;
     const auto it = std::lower_bound(members.begin(), members.end(), v,
@@ -176,7 +178,7 @@ class Retry {
       waits_[neighbour] = false;
       push(neighbour);
     }
-    // What it was in the way of.
+    // The edges that this vertex blocked.
     auto it = std::lower_bound(by_vertex_.begin(), by_vertex_.end(), v,
                                [&](std::uint32_t i, std::uint32_t vertex) { return near_[i].vertex < vertex; });
     for (; it != by_vertex_.end() && near_[*it].vertex == v; ++it) {
@@ -187,7 +189,7 @@ class Retry {
     }
   }
 
-  /// The edge that takes the place of those at `gone` is a piece of what both were pieces of.
+  /// The edge that replaces the two at `gone` is a piece of the input edges of which both were pieces.
   void keep_common_edges(std::uint32_t v, std::uint32_t gone) {
     for (std::size_t m = member_of(v); is_of(m, v); ++m) {
       bool common = false;
@@ -197,7 +199,7 @@ class Retry {
     }
   }
 
-  /// The vertex itself, or the last one before it in its ring that stays. Shortens the way for the next call.
+  /// The vertex itself, or the last remaining one before it in its ring. Shortens the path for the next call.
   std::uint32_t staying_before(std::uint32_t v) {
     std::uint32_t found = v;
     while (gone_[found]) found = before_[found];
@@ -208,12 +210,12 @@ class Retry {
   const TraceSpans& spans_;
   const Rings& rings_;
   Array<bool>& gone_;
-  Array<std::uint32_t> before_, after_;  ///< by vertex; of one that is gone: a vertex before it
+  Array<std::uint32_t> before_, after_;  ///< by vertex; for a removed one: a vertex before it
   Array<bool> waits_;                    ///< by vertex: its newest candidate is in the queue
-  Array<bool> counts_;                   ///< by member: both edges at the vertex are pieces of the input edge, still
+  Array<bool> counts_;                   ///< by member: both edges at the vertex are still pieces of the input edge
   Array<std::uint32_t> touches_;
-  Array<NearVertex> near_;          ///< span by span, along it
-  Array<std::uint32_t> by_vertex_;  ///< indices of those in near_ that may go, vertex by vertex
+  Array<NearVertex> near_;          ///< by span, and along it
+  Array<std::uint32_t> by_vertex_;  ///< indices of elements of near_ that may be removed, by vertex
   std::priority_queue<Candidate, Array<Candidate>, Later> queue_;
 };
 

@@ -11,13 +11,13 @@
 namespace oblast::internal {
 namespace {
 
-/// Writes the vertices of a chain, all but the last, to points and flags from `vertex` on.
+/// Writes the vertices of a chain, except the last one, to points and flags, beginning at `vertex`.
 void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags, Descriptor d, std::uint32_t vertex,
                  Rings& rings) {
   const Chain& chain = graph.chains[chain_of(d)];
   const auto first = graph.strands.points.begin() + chain.first, last = graph.strands.points.begin() + chain.last;
   const auto to = rings.points.begin() + vertex;
-  // Where much meets, nearly all chains are one edge.
+  // If many edges meet, nearly all chains have one edge.
   if (last - first == 1)
     *to = is_backward(d) ? *last : *first;
   else if (is_backward(d))
@@ -31,7 +31,7 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
 
 Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const LinkedContours& linked) {
   const Array<Descriptor>& descriptors = linked.descriptors;
-  LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
+  LargeArray<std::uint32_t> ends;  // by descriptor: the end of its vertices in the rings
   resize_in_large_pages(ends, descriptors.size());
   for_ranges(ends.size(), tuning::ring_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -53,7 +53,7 @@ Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const L
       write_chain(graph, kinds.flags, descriptors[i], i == 0 ? 0 : ends[i - 1], rings);
     }
   });
-  // Vertices come in the order of the descriptors, and a trace vertex is where one begins.
+  // Vertices are in the order of the descriptors, and each trace vertex is the beginning of a descriptor.
   std::size_t at = 0;
   const auto node_of = [&](std::uint32_t v) {
     while ((at == 0 ? 0 : ends[at - 1]) < v) ++at;

@@ -13,13 +13,13 @@
 
 namespace oblast::internal {
 
-/// What is known of a vertex of the result; a set of bits.
+/// Properties of a vertex of the result; a set of bits.
 enum RingVertex : std::uint8_t {
-  trace_vertex = 1,  ///< added by noding between two pieces of one input edge: to be taken out if possible
+  trace_vertex = 1,  ///< noding added it between two pieces of one input edge; to be removed if possible
   touch_vertex = 2,  ///< more than two edges of the result meet here
 };
 
-/// A trace vertex, or the node it comes from, and an input edge of which both edges of the result there are pieces.
+/// A trace vertex (or its node), and an input edge of which both edges of the result there are pieces.
 struct TraceEdge {
   std::uint32_t at;
   std::uint32_t edge;
@@ -27,7 +27,7 @@ struct TraceEdge {
   friend auto operator<=>(const TraceEdge&, const TraceEdge&) = default;
 };
 
-/// Those of one vertex or node. REQUIRES: sorted.
+/// The elements for one vertex or node. REQUIRES: `all` is sorted.
 inline std::span<const TraceEdge> trace_edges_at(std::span<const TraceEdge> all, std::uint32_t at) {
   const auto begin = std::lower_bound(all.begin(), all.end(), TraceEdge{at, 0});
   auto end = begin;
@@ -60,7 +60,7 @@ struct Rings {
   }
 };
 
-/// The rings without the vertices for which drop(ring, vertex) says so, and without their trace edges. Cost: linear.
+/// The rings without the vertices for which drop(ring, vertex) is true, and without their trace edges. Cost: linear.
 template <class Drop>
 Rings without_if(const Rings& rings, const Drop& drop) {
   Rings result;
@@ -76,7 +76,7 @@ Rings without_if(const Rings& rings, const Drop& drop) {
   return result;
 }
 
-/// What is known of the nodes of a graph.
+/// Properties of the nodes of a graph.
 struct NodeKinds {
   Array<std::uint8_t> flags;     ///< by node: RingVertex bits of the vertex there
   Array<TraceEdge> trace_edges;  ///< of all trace nodes, sorted

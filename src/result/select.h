@@ -1,4 +1,4 @@
-// Stage 4: which chains belong to the result, by the truth table of the operation.
+// Stage 4: selects the chains that belong to the result, with the truth table of the operation.
 #pragma once
 
 #include <oblast/options.h>
@@ -8,10 +8,11 @@
 
 namespace oblast::internal {
 
-/// A chain of the result as the descriptor that has the result on its left, or `none`.
+/// For each chain: the descriptor that has the result on its left, or `none` if the chain does not belong to the
+/// result.
 using Selection = LargeArray<Descriptor>;
 
-/// Inside or outside of one operand, from its winding number.
+/// Whether a point with this winding number is inside the operand.
 constexpr bool is_inside(const FillRule& rule, std::int32_t winding) {
   switch (rule.kind) {
     case FillRule::Kind::polygons:
@@ -45,7 +46,7 @@ constexpr bool admits(Operation operation, bool in_a, bool in_b) {
   return false;
 }
 
-/// A chain belongs to the result when just one of its sides does. By chain; none for chains not live.
+/// A chain belongs to the result if exactly one of its sides is inside the result. `none` for chains that are not live.
 Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
                  const Options& options);
 

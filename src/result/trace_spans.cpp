@@ -19,14 +19,14 @@ using noding::Run;
 
 constexpr noding::Group span_group = 1, vertex_group = 2;
 
-/// What the vertices of a span keep within.
+/// The strip that contains the vertices of a span.
 struct Strip {
   Box box;
-  double least, most;  ///< of the doubled areas of its vertices over the chord, with what rounding may add
+  double least, most;  ///< bounds of the doubled areas between the chord and its vertices, including rounding errors
   double reach;        ///< at least the distance of any of its vertices from the chord
 };
 
-/// The doubled area of (a, b, p): positive where p is on the left of the chord.
+/// The doubled area of the triangle (a, b, p). Positive if p is left of the chord.
 double area_over(const Point& a, const Point& b, const Point& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
@@ -42,14 +42,14 @@ Strip strip_of(const TraceSpans& spans, const TraceSpan& span) {
     strip.most = std::max(strip.most, area);
     strip.box = strip.box.joined(t);
   }
-  // In the strip's box an area is off by at most four epsilons of this product. Nothing under- or overflows in the
-  // domain of coordinates.
+  // In the box of the strip, the error of an area is at most four epsilons of this product. In the domain of
+  // coordinates nothing underflows or overflows.
   const double width = strip.box.x1 - strip.box.x0, height = strip.box.y1 - strip.box.y0;
   const double error = 16 * std::numeric_limits<double>::epsilon() * width * height;
   strip.least -= error;
   strip.most += error;
-  // The pieces are in the hull of the span's vertices, whose distance from the chord is largest in one of these: at
-  // most that from the line, and what they are beyond the box of the chord.
+  // The pieces are in the hull of the vertices of the span. The largest distance from the chord is at one of these
+  // vertices. It is at most the distance from the line plus the distance from the box of the chord.
   const double beyond =
       (chord.x0 - strip.box.x0) + (strip.box.x1 - chord.x1) + (chord.y0 - strip.box.y0) + (strip.box.y1 - chord.y1);
   const double length = std::max(chord.x1 - chord.x0, chord.y1 - chord.y0);
@@ -76,7 +76,7 @@ class NearVertexFinder {
   }
 
  private:
-  /// Every chord is an edge of the search, and so is every vertex, from itself to itself.
+  /// Adds an edge to the search. Every chord is an edge, and every vertex is an edge from itself to itself.
   void add(const Point& p, const Point& q, double reach, noding::Group group, LargeArray<Run>& runs) {
     const auto edge = static_cast<std::uint32_t>(ends_.size());
     ends_.push_back(p);
@@ -100,7 +100,7 @@ class NearVertexFinder {
     return runs;
   }
 
-  /// One at each place: where a fan touches itself they are many.
+  /// Adds one vertex for each point. At a fan that touches itself, many vertices have the same point.
   void add_vertices(LargeArray<Run>& runs) {
     const Rings& rings = spans_.rings;
     Array<std::uint32_t> touches;
@@ -139,7 +139,7 @@ class NearVertexFinder {
     const double area = area_over(a, b, p);
     if (area < strip.least || area > strip.most || p == a || p == b) return;
     const std::uint32_t piece = piece_beside(span, p);
-    // Only its own vertices can lie where it has vertices: they are nodes of two edges.
+    // At the points of its vertices lie only its own vertices: they are nodes with two edges.
     if (p == spans_.point(span, piece) || p == spans_.point(span, piece + 1)) return;
     found.push_back({number, piece, vertex});
   }
@@ -155,10 +155,10 @@ class NearVertexFinder {
   }
 
   const TraceSpans& spans_;
-  LargeArray<Point> ends_;              ///< two an edge of the search
+  LargeArray<Point> ends_;              ///< two for each edge of the search
   Array<Strip> strips_;                 ///< by chord
-  Array<std::uint32_t> span_of_chord_;  ///< a span's number
-  Array<std::uint32_t> vertices_;       ///< those looked for, as indices in the rings' points
+  Array<std::uint32_t> span_of_chord_;  ///< the number of a span
+  Array<std::uint32_t> vertices_;       ///< the vertices of the search, as indices in the points of the rings
   std::mutex mutex_;
   Array<NearVertex> found_;
 };
@@ -180,7 +180,7 @@ TraceSpans::TraceSpans(const Rings& all) : rings(all) {
     const std::uint32_t begin = rings.begin(r), end = rings.ends[r];
     std::uint32_t start = begin;
     while (start < end && is_trace(start)) ++start;
-    // Of a ring of nothing else (a few units in the last place wide) the smallest vertex stays.
+    // If a ring has only trace vertices (it is a few units in the last place wide), its smallest vertex remains.
     if (start == end) start = begin + smallest_vertex(std::span(rings.points).subspan(begin, end - begin)).vertex;
     for (std::uint32_t v = start;;) {
       std::uint32_t count = 0, w = rings.after(r, v);
@@ -197,10 +197,10 @@ TraceSpans::TraceSpans(const Rings& all) : rings(all) {
   });
 }
 
-/// The spans of `count` trace vertices that follow the vertex `first`.
+/// Adds the spans of the `count` trace vertices after the vertex `first`.
 void TraceSpans::add_run(std::uint32_t ring, std::uint32_t first, std::uint32_t count) {
   const TraceSpan run{ring, first, count, true, true};
-  Array<TraceEdge> open;  // edges of the vertex looked at last; `at` is the span of each
+  Array<TraceEdge> open;  // edges of the vertex visited last; `at` is the span of each
   for (std::uint32_t i = 1; i <= count; ++i) {
     const std::uint32_t v = vertex(run, i), before = vertex(run, i - 1);
     Array<TraceEdge> still_open;
@@ -217,7 +217,7 @@ void TraceSpans::add_run(std::uint32_t ring, std::uint32_t first, std::uint32_t 
     }
     open = std::move(still_open);
   }
-  // `open` has the spans that reach the end of the run.
+  // Now `open` has the spans that reach the end of the run.
   bool has_whole = false;
   for (const TraceEdge& o : open) {
     TraceSpan& span = spans[o.at];
@@ -228,7 +228,8 @@ void TraceSpans::add_run(std::uint32_t ring, std::uint32_t first, std::uint32_t 
 
 Array<NearVertex> find_near_vertices(const TraceSpans& spans) { return NearVertexFinder(spans).run(); }
 
-// A line across the chain, through p, crosses the chord and one piece. p is between where it is on different sides.
+// A line through p across the chain crosses the chord and one piece. p is between them if it is on different sides of
+// them.
 bool is_between(const Point& a, const Point& b, const Point& u, const Point& w, const Point& p) {
   const int side = exact::orientation(a, b, p);
   return side == 0 || exact::orientation(u, w, p) != side;

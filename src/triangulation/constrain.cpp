@@ -36,7 +36,7 @@ class Constraining {
       poll();
       insert(constraints_[k]);
     }
-    // Pockets and flips may have moved sides that were found before.
+    // Pockets and flips may have moved sides that were found earlier.
     for (std::uint32_t k = 0; k < constraints_.size(); ++k) {
       steps();
       if (!is_at(sides[k], constraints_[k])) sides[k] = find(constraints_[k]);
@@ -54,8 +54,8 @@ class Constraining {
     mesh_.set_constrained(mesh_.twin(h));
   }
 
-  /// The side from c.from to c.to, or no_index. Looks around both ends in step, so the cost is the
-  /// smaller of the two degrees: a hub with many spokes stays linear.
+  /// The side from c.from to c.to, or no_index. Searches around both ends in parallel, so the cost is the smaller of
+  /// the two degrees. So a hub with many spokes takes linear time.
   HalfEdge find(const Constraint& c) const {
     const HalfEdge first_from = leaving_[c.from], first_to = leaving_[c.to];
     HalfEdge h = first_from, g = first_to;
@@ -69,7 +69,7 @@ class Constraining {
   }
 
   void insert(const Constraint& c) {
-    if (const HalfEdge h = find(c); h != no_index) return mark(h);  // a pocket made it a side meanwhile
+    if (const HalfEdge h = find(c); h != no_index) return mark(h);  // an earlier pocket has made it a side
     const HalfEdge crossed = first_crossed(c);
     take_crossed(mesh_.apex(crossed) == c.from ? c : Constraint{c.to, c.from}, crossed);
     suspects_.clear();
@@ -77,8 +77,8 @@ class Constraining {
     make_delaunay(mesh_, leaving_, suspects_);
   }
 
-  /// The side that the constraint leaves its first or its last triangle by, from either end; both are looked
-  /// around in step.
+  /// The side through which the constraint leaves its first or its last triangle. Searches around both ends in
+  /// parallel.
   HalfEdge first_crossed(const Constraint& c) const {
     const HalfEdge first_from = leaving_[c.from], first_to = leaving_[c.to];
     HalfEdge h = first_from, g = first_to;
@@ -94,7 +94,7 @@ class Constraining {
     throw_crossing();
   }
 
-  /// True when the ray goes through the side, which has its start as apex.
+  /// True if the ray passes through the side. The start of the ray is the apex of the side.
   bool is_between(std::uint32_t from, std::uint32_t to, HalfEdge side) const {
     const std::uint32_t p = mesh_.origin(side), q = mesh_.target(side);
     if (p == infinite_vertex || q == infinite_vertex) return false;
@@ -105,9 +105,9 @@ class Constraining {
     return exact::orientation(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
   }
 
-  /// Gives the pocket all triangles that the constraint goes through.
+  /// Gives the pocket all triangles through which the constraint passes.
   ///
-  ///            q ------- ...        h: from p to q, the side crossed last
+  ///            q ------- ...        h: from p to q, the last side crossed
   ///          / | \   left
   ///     from --+--r--------- to     r: the vertex beyond it, here on the right
   ///          \ | /   right
@@ -133,7 +133,9 @@ class Constraining {
   }
 
   [[noreturn]] static void throw_crossing() {
-    throw Error(ErrorCode::precondition, "sides cross each other or pass through a vertex: unite them first");
+    throw Error(ErrorCode::precondition,
+                "sides of the regions cross each other or pass through a vertex; unite the regions first "
+                "(TriangleInput::any does this)");
   }
 
   Mesh& mesh_;

@@ -20,7 +20,7 @@ using exact::orientation;
 class Insertion {
  public:
   explicit Insertion(std::span<const Point> given) : order_(spatial_order(given)) {
-    // Gathered once: later each step would wait for memory.
+    // The points are gathered once. Otherwise each later step would wait for memory.
     reserve_in_large_pages(mesh_.points, given.size());
     for (const std::uint32_t index : order_) mesh_.points.push_back(given[index]);
   }
@@ -41,7 +41,7 @@ class Insertion {
   }
 
  private:
-  /// The point at place `i` of the order becomes a vertex; the array of points closes up over equal ones.
+  /// Makes the point at position `i` of the order a vertex. Equal points become one vertex.
   std::uint32_t add_vertex(std::uint32_t i) {
     mesh_.points[vertices_] = mesh_.points[i];
     mesh_.vertex_of[order_[i]] = vertices_;
@@ -53,7 +53,7 @@ class Insertion {
     std::swap(mesh_.points[i], mesh_.points[j]);
   }
 
-  /// Brings three points that are not collinear to the front of the order. False when there are none.
+  /// Moves three points that are not collinear to the front of the order. False if there are none.
   bool find_three() {
     const Array<Point>& points = mesh_.points;
     std::size_t second = 1, third = 2;
@@ -111,8 +111,8 @@ class Insertion {
     return static_cast<std::uint32_t>(mesh_.triangles.size() - 1);
   }
 
-  /// The triangle (p, a, b), which has p at its vertex 0; its side 1 is to be tested. The twins of sides 0
-  /// and 2 are set by the caller.
+  /// Makes the triangle (p, a, b) with p as vertex 0. Its side 1 will be tested. The caller sets the twins of sides 0
+  /// and 2.
   void make(std::uint32_t t, std::uint32_t p, std::uint32_t a, std::uint32_t b, HalfEdge beyond) {
     Triangle& made = mesh_.triangles[t];
     made.vertex[0] = p;
@@ -123,14 +123,14 @@ class Insertion {
     suspects_.push_back(t);
   }
 
-  /// Side 2 of `before` and side 0 of `after` are the same.
+  /// Makes side 2 of `before` and side 0 of `after` twins.
   void join_around(std::uint32_t before, std::uint32_t after) {
     mesh_.triangles[before].twin[2] = half_edge(after, 0);
     mesh_.triangles[after].twin[0] = half_edge(before, 2);
   }
 
   ///        c
-  ///       /|\          three triangles with p at vertex 0, one a side
+  ///       /|\          three triangles with p at vertex 0, one for each side
   ///      / p \         .
   ///     a --- b
   void part_triangle(std::uint32_t t, std::uint32_t p) {
@@ -206,14 +206,15 @@ class Insertion {
     last_ = t;
   }
 
-  /// Is c inside the circle of t = (p, a, b)? The circle of a ghost is the half-plane beyond its hull side.
+  /// True if c is inside the circle of t = (p, a, b). The circle of a ghost is the half-plane beyond its side of the
+  /// hull.
   bool is_illegal(const Triangle& t, std::uint32_t p, std::uint32_t c) const {
     const std::uint32_t a = t.vertex[1], b = t.vertex[2];
     const auto& points = mesh_.points;
     if (((a | b | c) >> 31) == 0) return in_circle(points[p], points[a], points[b], points[c]) > 0;
     if (c == infinite_vertex) return false;
-    // t and its neighbour are ghosts with the sides (b, p) and (c, b), or (p, a) and (a, c): p may see the
-    // neighbour's side too.
+    // t and its neighbour are ghosts with the sides (b, p) and (c, b), or (p, a) and (a, c). p may see the side of the
+    // neighbour, too.
     if (a == infinite_vertex) return orientation(points[c], points[b], points[p]) > 0;
     return orientation(points[a], points[c], points[p]) > 0;
   }
@@ -222,7 +223,7 @@ class Insertion {
   Mesh mesh_;                   ///< points: the vertices, then those not yet inserted, in order
   std::uint32_t vertices_ = 0;
   Array<std::uint32_t> suspects_;  ///< triangles whose side 1 may be illegal
-  std::uint32_t last_ = 0;         ///< where the next walk begins
+  std::uint32_t last_ = 0;         ///< the triangle in which the next walk begins
   Steps flips_;
 };
 

@@ -14,7 +14,7 @@ bool is_illegal(const Mesh& mesh, HalfEdge h) {
   return exact::in_circle(points[mesh.origin(h)], points[mesh.target(h)], points[c], points[d]) > 0;
 }
 
-/// A side as it is kept while its triangles are made anew.
+/// A side that stays while its triangles are replaced.
 struct Kept {
   HalfEdge twin;
   std::uint32_t constrained;

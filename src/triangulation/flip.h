@@ -6,9 +6,9 @@
 
 namespace oblast::internal::triangulation {
 
-/// Flips sides until each that is not constrained is Delaunay, beginning with the `suspects` (emptied) and
-/// going on to the sides around each flip. Keeps `leaving` (by vertex: some half-edge with that origin)
-/// right. REQUIRES: no suspect ends at infinity.
+/// Flips sides until each side without a constraint is Delaunay. Begins with the `suspects` (which are then empty), and
+/// continues with the sides around each flip. Updates `leaving` (by vertex: some half-edge with that origin). REQUIRES:
+/// no suspect ends at infinity.
 void make_delaunay(Mesh& mesh, Array<HalfEdge>& leaving, Array<HalfEdge>& suspects);
 
 }  // namespace oblast::internal::triangulation

@@ -7,7 +7,8 @@ namespace {
 
 using exact::orientation;
 
-/// The point is on no side's right; `s0`, `s1`, `s2` are the orientations with `at` and the sides after it.
+/// The place of a point that is not right of any side. `s0`, `s1`, `s2`: the orientations with `at` and the sides after
+/// it.
 Place settled(HalfEdge at, int s0, int s1, int s2) {
   const HalfEdge h1 = next(at), h2 = previous(at);
   if (s0 == 0 && s1 == 0) return {Place::Kind::at_vertex, h1};
@@ -19,7 +20,7 @@ Place settled(HalfEdge at, int s0, int s1, int s2) {
   return {Place::Kind::inside, at};
 }
 
-/// A side from which to begin: one of a triangle that is no ghost.
+/// The side from which the walk begins: a side of a triangle that is not a ghost.
 HalfEdge first_side(const Mesh& mesh, std::uint32_t start) {
   const Triangle& t = mesh.triangles[start];
   if (!t.is_ghost()) return half_edge(start, 0);
@@ -30,7 +31,8 @@ HalfEdge first_side(const Mesh& mesh, std::uint32_t start) {
 
 Place locate(const Mesh& mesh, std::uint32_t start, const Point& p) {
   const auto side = [&](std::uint32_t a, std::uint32_t b) { return orientation(mesh.points[a], mesh.points[b], p); };
-  HalfEdge at = first_side(mesh, start);  // the side come by; p lies on its left, or, to begin with, on it
+  HalfEdge at =
+      first_side(mesh, start);  // the side crossed last; p lies on its left (at the beginning, possibly on it)
   int s0 = side(mesh.origin(at), mesh.target(at));
   if (s0 < 0) {
     at = mesh.twin(at);

@@ -1,4 +1,4 @@
-// Triangles as flat arrays: for each its three vertices and its three neighbours, by half-edges.
+// Triangles as flat arrays: each has its three vertices and, as half-edges, its three neighbours.
 //
 //              v[2]            half-edge 4 t + i: side i of triangle t, from v[i] to v[(i + 1) % 3],
 //             /    \           the triangle on its left; twin[i] is the same side seen from the
@@ -7,8 +7,8 @@
 //        v[0] ----- v[1]
 //               0
 //
-// The plane is closed to a sphere by one vertex at infinity: each side of the convex hull has a triangle to
-// it (a ghost). So every half-edge has a twin, and no coordinates of a huge triangle are needed.
+// One vertex at infinity closes the plane to a sphere: each side of the convex hull has a triangle to it (a ghost). So
+// every half-edge has a twin, and no coordinates of a huge triangle are needed.
 #pragma once
 
 #include <oblast/point.h>
@@ -26,16 +26,16 @@ using HalfEdge = std::uint32_t;
 constexpr std::uint32_t triangle_of(HalfEdge h) { return h >> 2; }
 constexpr std::uint32_t side_of(HalfEdge h) { return h & 3; }
 constexpr HalfEdge half_edge(std::uint32_t triangle, std::uint32_t side) { return triangle << 2 | side; }
-/// Counter-clockwise within the triangle.
+/// The next half-edge of the triangle, counter-clockwise.
 constexpr HalfEdge next(HalfEdge h) { return (h & 2) ? h - 2 : h + 1; }
 constexpr HalfEdge previous(HalfEdge h) { return (h & 3) ? h - 1 : h + 2; }
 
-/// 32 bytes, two to a cache line.
+/// 32 bytes: two triangles per cache line.
 struct Triangle {
   std::uint32_t vertex[3];
   std::uint32_t constrained;  ///< bit i: side i is constrained
   HalfEdge twin[3];
-  std::uint32_t mark;  ///< of the algorithm at work; 0 between algorithms
+  std::uint32_t mark;  ///< used by the current algorithm; 0 between algorithms
 
   bool is_ghost() const {
     return ((vertex[0] | vertex[1] | vertex[2]) >> 31) != 0;  // vertices are below 2^31
@@ -45,7 +45,7 @@ struct Triangle {
 struct Mesh {
   Array<Point> points;             ///< by vertex, in the order of insertion; no two are equal
   Array<std::uint32_t> vertex_of;  ///< by given point: its vertex; equal points share one
-  Array<Triangle> triangles;       ///< counter-clockwise; ghosts included; none when all points are collinear
+  Array<Triangle> triangles;       ///< counter-clockwise, with ghosts; none if all points are collinear
 
   std::uint32_t origin(HalfEdge h) const { return triangles[triangle_of(h)].vertex[side_of(h)]; }
   std::uint32_t target(HalfEdge h) const { return origin(next(h)); }

@@ -30,7 +30,8 @@ void Pocket::read(const Array<HalfEdge>& half_edges, Border& border) {
   border.clear();
   for (const HalfEdge h : half_edges)
     border.push_back({mesh_.origin(h), mesh_.twin(h), no_index, mesh_.is_constrained(h) ? 1U : 0U});
-  // Triangles taken out need their vertices no more: a half-edge's origin now holds its place in the border.
+  // The vertices of removed triangles are no longer needed. The origin of a half-edge now stores its index in the
+  // border.
   for (std::uint32_t i = 0; i < half_edges.size(); ++i)
     mesh_.triangles[triangle_of(half_edges[i])].vertex[side_of(half_edges[i])] = i;
   for (Side& side : border) {
@@ -64,7 +65,7 @@ void Pocket::attach(HalfEdge made, const Side& side, Border& border) {
     border[partner.partner].beyond = made;
 }
 
-/// Gives the half-edge along the constraint, from `end` to the border's first vertex.
+/// Returns the half-edge along the constraint, from `end` to the first vertex of the border.
 HalfEdge Pocket::fill_one(Border& border, std::uint32_t end, Array<HalfEdge>& new_sides) {
   stack_.clear();
   for (std::size_t i = 0; i < border.size(); ++i) {

@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t z) {
 
 constexpr int most_rounds = tuning::insertion_rounds;
 
-/// 0 is the last round.
+/// The round in which a point is inserted. 0 is the last round.
 int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index)) / 3, most_rounds - 1); }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // The order in which points are inserted: rounds of growing size, each along a Hilbert curve.
 //
-// Reference: N. Amenta, S. Choi, G. Rote, "Incremental Constructions con BRIO", 2003. A point is in the
-// last round with probability 7/8, in the one before with 7/64, and so on (drawn from a hash of its
-// index, so the order is the same on every machine). The random rounds keep the expected number of changes
-// linear whatever the distribution; the curve keeps the walk from one point to the next short.
+// Reference: N. Amenta, S. Choi, G. Rote, "Incremental Constructions con BRIO", 2003. A point is in the last round with
+// probability 7/8, in the round before with 7/64, and so on. A hash of its index decides, so the order is the same on
+// every machine. Because rounds are random, the expected number of changes is linear for any distribution. Because of
+// the curve, the walk from one point to the next is short.
 #pragma once
 
 #include <oblast/point.h>
@@ -15,9 +15,9 @@
 
 namespace oblast::internal::triangulation {
 
-/// A permutation of the indices of `points`. The curve adapts: where many points fall in one of its 2^32
-/// cells, it goes on inside that cell's box. Cost: O(n), for coordinates of like magnitude; each factor of
-/// 2^16 in scale between nested clusters adds one more pass over the inner one.
+/// A permutation of the indices of `points`. The curve is adaptive: if many points are in one of its 2^32 cells, it
+/// continues inside the box of that cell. Cost: O(n) for coordinates of similar magnitude. Each factor of 2^16 in scale
+/// between nested clusters adds one pass over the inner cluster.
 Array<std::uint32_t> spatial_order(std::span<const Point> points);
 
 }  // namespace oblast::internal::triangulation

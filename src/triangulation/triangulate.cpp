@@ -1,4 +1,4 @@
-// Public triangulation: unite, triangulate, put the sides in, find the polygon of each triangle, number.
+// The public triangulation: unites, triangulates, inserts the sides, finds the polygon of each triangle, and numbers.
 #include <oblast/overlay.h>
 #include <oblast/triangulate.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace triangulation;
 
-/// The sides of all polygons as constraints, and by constraint the polygon on its left.
+/// The sides of all polygons as constraints, and for each constraint the polygon on its left.
 struct Sides {
   Array<Constraint> constraints;
   Array<std::uint32_t> polygon;
@@ -43,7 +43,8 @@ Sides sides_of(const RegionView& regions, const Array<std::uint32_t>& vertex_of)
   return sides;
 }
 
-/// By triangle the polygon it is in: from each side to all that is connected with its left.
+/// By triangle: the polygon that contains it. Starts at the left of each side, and continues to everything connected to
+/// it.
 Array<std::uint32_t> polygon_of_triangles(const Mesh& mesh, const Sides& sides, const Array<HalfEdge>& half_edges) {
   Array<std::uint32_t> polygon(mesh.triangles.size(), Triangulation::none);
   Array<std::uint32_t> pending;
@@ -77,7 +78,7 @@ Array<std::uint32_t> number_vertices(const Mesh& mesh, std::span<const Point> gi
   return number;
 }
 
-/// Copies the triangles wanted into the result.
+/// Copies the triangles of the requested extent into the result.
 Charge write_triangles(const Mesh& mesh, const Array<std::uint32_t>& polygon, const Array<std::uint32_t>& vertex_number,
                        TriangleExtent extent, Triangulation& result) {
   Array<std::uint32_t> number(mesh.triangles.size(), Triangulation::none);

@@ -1,4 +1,4 @@
-// The public interface as a user meets it: one header, flat arrays in, a region set out.
+// The public interface as a user sees it: one header, flat arrays in, a region set out.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 

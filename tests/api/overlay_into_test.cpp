@@ -1,4 +1,4 @@
-// Results put into arrays that the caller has.
+// Results that are written into existing arrays.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 
@@ -18,7 +18,7 @@ TEST(OverlayInto, givesTheBytesOfTheOther) {
   RegionSet result;
   for (const auto& generator : generators::hostile_generators()) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      // Small and larger ones in turn, so that what was there before is more or less than what comes.
+      // Alternately small and larger ones, so the arrays were larger or smaller before.
       const auto [a, b] = generator.make(seed, seed % 2 == 0 ? 12 : generator.usual);
       for (const Operation operation : operations) {
         overlay(a, b, operation, {}, result);

@@ -1,4 +1,4 @@
-// The program from outside: help, results, reports, errors and exit codes.
+// The program as a user runs it: help, results, reports, errors and exit codes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -95,7 +95,7 @@ TEST(Memory, SizesAreReadInTheirUnits) {
     EXPECT_THROW(app::parse_bytes(word), CLI::ValidationError) << word;
 }
 
-// Every command that computes ends with the limit's error and writes nothing.
+// Every command that computes ends with an error at the memory limit, and writes nothing.
 TEST(Memory, ALimitThatIsTooSmallIsAnErrorThatSaysIt) {
   const Folder folder;
   const std::string in = folder.path("in.wkt"), out = folder.path("out.wkt");
@@ -335,7 +335,7 @@ TEST(CheckAgainst, ProvesAnOverlayOrNamesTheWrongPlace) {
   EXPECT_EQ(Json::parse(json.out)["against"]["right"], false);
   EXPECT_TRUE(Json::parse(json.out)["against"]["wrong"].contains("at"));
 
-  // Rules of either operand, and of one operand made of both files.
+  // Fill rules of each operand, and of one operand made of both files.
   EXPECT_EQ(check(only_a, {"--op", "difference"}).code, 0);
   EXPECT_EQ(check("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))", {"--op", "difference", "--fill-b", "atleast:2"}).code, 0);
   EXPECT_EQ(check(both, {"--fill", "atleast:2"}).code, 0);
@@ -366,7 +366,8 @@ TEST(Interrupt, LeavesTheOldOutputAlone) {
   const Folder folder;
   write_file(folder / "old.wkt", "kept");
   std::string much;
-  while (much.size() < 300'000) much += two_squares;  // more than a pipe holds: the program is reading
+  while (much.size() < 300'000)
+    much += two_squares;  // more than the capacity of a pipe, so the program is still reading
   const ProgramRun run = interrupted_program({"union", "-", "-o", folder.path("old.wkt"), "--overwrite"}, much);
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_TRUE(contains(run.err, "interrupted")) << run.err;

@@ -1,4 +1,4 @@
-// `oblast corpus`: what a line means, and that a wrong expectation is noticed.
+// `oblast corpus`: the meaning of a line, and that it detects a wrong expectation.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

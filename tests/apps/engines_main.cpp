@@ -1,5 +1,5 @@
-// The three engines side by side: the same bytes on every input, or, with --triangulations, the triangulations
-// of every input verified by exact arithmetic. One line with totals; exit code 1 when anything is wrong.
+// Compares the bytes of the three engines on every input, or, with --triangulations, verifies the triangulation of
+// every input with exact arithmetic. Prints one line with totals. The exit code is 1 if anything is wrong.
 //
 //   oblast_engines corpus FOLDER
 //   oblast_engines hostile --cases 10000           of every generator
@@ -48,7 +48,7 @@ class Tally {
     }
   }
 
-  /// Prints the totals; an exit code.
+  /// Prints the totals. Returns an exit code.
   int finish(const char* what) const {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
     fmt::print("{}: {} inputs, {} {}, {} {}, {:.1f} s\n", what, inputs_.load(), items_.load(),
@@ -71,7 +71,7 @@ class Tally {
   std::mutex printing_;
 };
 
-/// Cases run side by side, so each on one thread.
+/// Cases run in parallel, each on one thread.
 std::vector<Question> on_one_thread(std::span<const Question> questions) {
   std::vector<Question> result(questions.begin(), questions.end());
   for (Question& question : result) question.options.threads = 1;
@@ -88,8 +88,8 @@ Operands operands_of(const app::CorpusCase& corpus_case) {
   return operands;
 }
 
-/// Cases that differ in their operation alone are one input, since every operation is asked of each: of one operand the
-/// union, of two all.
+/// Cases that differ only in their operation are one input, because every operation is run on each: the union of one
+/// operand, all operations of two.
 void run_corpus(const std::string& folder, Tally& tally) {
   std::uint64_t cases = 0;
   std::map<std::vector<std::string>, app::CorpusCase> inputs;

@@ -1,5 +1,5 @@
-// Failures from outside: bad files, full disks and interrupts, each with its message, its exit code, the old output
-// untouched and no half file.
+// Failures as a user sees them: bad files, full disks and interrupts. Each has its message and its exit code, leaves
+// the old output unchanged, and leaves no unfinished file.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -23,7 +23,7 @@ void expect_mentions(const std::string& text, const Words& words) {
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " is not in " << text;
 }
 
-/// A folder whose files must stay as they are, byte for byte.
+/// A folder whose files must not change, byte for byte.
 class Kept {
  public:
   explicit Kept(const Folder& folder) : folder_(folder), names_(folder.names()) {
@@ -40,7 +40,7 @@ class Kept {
   Words contents_;
 };
 
-/// The program fails with exit code 1, a message, and leaves the folder as it was.
+/// Expects that the program fails with exit code 1 and a message, and does not change the folder.
 void expect_refused(const Folder& folder, Words call, const Words& mentioned, const std::string& input = {}) {
   const Kept kept(folder);
   call.insert(call.end(), {"-o", folder.path("out.wkt")});
@@ -72,7 +72,7 @@ TEST(BadCoordinates, areNamedWithFileFeaturePartAndVertex) {
     write_file(folder / "layer.geojson", geojson_with(number));
     expect_refused(folder, {"union", folder.path("layer.geojson")},
                    {"layer.geojson", "feature 2", "part 2", "ring 2", "vertex 1", said});
-    // As second operand too.
+    // Also as the second operand.
     expect_refused(folder, {"overlay", "difference", "-", folder.path("layer.geojson")},
                    {"layer.geojson", "feature 2", "vertex 1", said}, square);
   }
@@ -160,7 +160,7 @@ std::string many_triangles(int count) {
 }
 
 TEST(FullDisk, leavesTheOldOutputAlone) {
-  const std::string triangles = many_triangles(200);  // under even_odd a result of some hundred kilobytes
+  const std::string triangles = many_triangles(200);  // with even_odd the result has some hundred kilobytes
   for (const std::string extension : formats) {
     const Folder folder;
     const std::string out = folder.path("out." + extension);
@@ -204,7 +204,7 @@ TEST(Interrupted, atWorkLeavesTheOldOutputAlone) {
   }
 }
 
-// Of reading, overlay and writing, as it comes; where the signal came too late, the new output is there.
+// The signal may come during reading, overlay or writing. If it comes too late, the new output exists.
 TEST(Interrupted, atAnyMomentLeavesTheOldOutputAloneOrTheNewOneWhole) {
   const Folder input;
   write_file(input / "in.wkt", many_triangles(400));
@@ -234,7 +234,7 @@ TEST(Interrupted, atAnyMomentLeavesTheOldOutputAloneOrTheNewOneWhole) {
         EXPECT_EQ(oblast_program({"check", out}).code, 0) << extension << " after " << delay.count() << " us";
         continue;
       }
-      // -1: before the program had begun to handle signals.
+      // -1: the signal came before the program handled signals.
       EXPECT_TRUE(run.code == 130 || run.code == -1) << run.code << ": " << run.err;
       kept.expect_unchanged();
       ++stopped;

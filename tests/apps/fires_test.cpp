@@ -1,4 +1,4 @@
-// `generate fires`: the paper's counts, determinism, and contours as a vectoriser makes them.
+// `generate fires`: the counts of the paper, determinism, and contours like those of a vectoriser.
 #include "oblast/fires.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST(Fires, NeighboursShareCornersBitForBit) {
   for (const FirePass& pass : app::generate_fires({1, 0.05, {}})) {
     std::vector<Point> points = pass.contours.points;
     std::sort(points.begin(), points.end(), lexicographically_less);
-    // A pixel is some thousandths of a degree wide: what is much nearer is meant to be one corner.
+    // A pixel is some thousandths of a degree wide. Points that are much closer are meant to be one corner.
     constexpr double one_place = 1e-9;
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (std::size_t j = i + 1; j < points.size() && points[j].x - points[i].x < one_place; ++j) {

@@ -1,4 +1,4 @@
-// `oblast layers` as a person calls it.
+// `oblast layers` as a user runs it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -25,7 +25,7 @@ TEST(LayersCommand, countsWhatGoesInTheLayersAndTheUnion) {
   EXPECT_EQ(groups[0]["result_contours"], 1);
 }
 
-// A month is the same alone or with others, so months by name are months by folder.
+// A month is the same alone or with others, so grouping by name equals grouping by folder.
 TEST(LayersCommand, groupsFilesByTheBeginningOfTheirNames) {
   const Folder folder;
   const std::string fires = folder.path("fires"), july = folder.path("july");

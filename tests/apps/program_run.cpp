@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The child's output goes to files: nothing can block, whatever it says.
+// The output of the child goes to files, so it can never block.
 enum class Interrupt { never, while_reading, while_working };
 
 ProgramRun start(const std::vector<std::string>& arguments, const std::string& input, Interrupt interrupt,
@@ -46,7 +46,7 @@ ProgramRun start(const std::vector<std::string>& arguments, const std::string& i
   ::close(feed[0]);
   for (std::size_t at = 0; at < input.size();) {
     const ssize_t written = ::write(feed[1], input.data() + at, input.size() - at);
-    if (written <= 0) break;  // the program did not want it
+    if (written <= 0) break;  // the program has stopped reading
     at += static_cast<std::size_t>(written);
   }
   if (interrupt == Interrupt::while_reading) ::kill(child, SIGINT);

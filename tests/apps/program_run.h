@@ -1,4 +1,4 @@
-// Starts the program as a person would, in a folder of its own, and catches what it says.
+// Runs the program as a user would, in a separate folder, and captures its output.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 namespace oblast::test {
 
 struct ProgramRun {
-  int code = -1;  ///< exit code; -1 when a signal ended it
+  int code = -1;  ///< exit code; -1 if a signal ended the program
   std::string out;
   std::string err;
 };
@@ -24,7 +24,7 @@ class Folder {
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   std::string path(const std::string& name) const { return (path_ / name).string(); }
-  /// Names in the folder, hidden ones too, sorted.
+  /// The sorted names in the folder, including hidden ones.
   std::vector<std::string> names() const;
 
  private:
@@ -34,13 +34,13 @@ class Folder {
 /// Runs `oblast ARGUMENTS` with `input` on its standard input.
 ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input = {});
 
-/// Feeds `input` without ending it, and when the program has read most of it, sends SIGINT.
+/// Writes `input` without closing it, and sends SIGINT after the program has read most of it.
 ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input);
 
-/// Feeds all of `input` and a moment later, when the program is at work on it, sends SIGINT.
+/// Writes all of `input`, and sends SIGINT a moment later, while the program computes.
 ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments, const std::string& input);
 
-/// Sends SIGINT so long after the program was started.
+/// Sends SIGINT this long after the start of the program.
 ProgramRun program_interrupted_after(std::chrono::microseconds delay, const std::vector<std::string>& arguments);
 
 std::string read_file(const std::filesystem::path& path);

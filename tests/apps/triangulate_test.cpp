@@ -1,4 +1,4 @@
-// `oblast triangulate` as a person calls it.
+// `oblast triangulate` as a user runs it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

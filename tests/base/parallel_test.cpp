@@ -1,4 +1,4 @@
-// Loops and tasks: whole or thrown, whatever fails where; an exception comes out once and as it went in.
+// Loops and tasks run completely or throw, whatever fails. An exception is thrown once and unchanged.
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Parallel, loopsRunEachIndexOnce) {
   }
 }
 
-// The fault of oneTBB's own cancelling: where one task throws, loops nested in others return, and have done nothing.
+// The fault of oneTBB's own cancelling: if one task throws, loops nested in other tasks return without having run.
 TEST(Parallel, aNestedLoopThatReturnsHasRunAllItsBodies) {
   constexpr std::size_t outer = 12, inner = 48;
   std::atomic<int> incomplete = 0, complete = 0, thrown = 0;

@@ -1,4 +1,4 @@
-// The settings of the constants: what `random` draws lies where it may, and comes to all of it.
+// The settings of the constants: the values that `random` draws are in their range and cover all of it.
 #include "base/tuning.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A workspace: calls use it again and again and give the same results; it keeps no more than it was told.
+// A workspace: calls reuse it and give the same results; it keeps no more than its limit.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 #include <tbb/parallel_for.h>

@@ -1,24 +1,24 @@
-// Cases by topology, as text files beside this one: every folder is a topology, every file a case.
+// Cases by topology, as text files in this folder: every subfolder is a topology, every file is a case.
 //
 // A case of two operands, NAME.wkt:
 //
-//   # what it shows, one line
+//   # one line about what it shows
 //   A WKT
 //   B WKT
 //
-// Every operation, engine, convention and treatment of collinear vertices is run on it, and must keep every promise a
-// hostile case must (generators/trial.h); the results are compared with exact recomputation.
+// The test runs every operation, engine, convention and treatment of collinear vertices on it. All promises of a
+// hostile case must hold (generators/trial.h), and the results are compared with exact recomputation.
 //
-// A case with results worked out by hand, NAME.txt:
+// A case with known results, NAME.txt:
 //
-//   # what it shows, one line
-//   fill RULE                      optional; of both operands
+//   # one line about what it shows
+//   fill RULE                      optional; for both operands
 //   A WKT
 //   B WKT
-//   OPERATION [ogc|leonov-nikitin] [minimal]: WKT of the result     without a convention: the same by both
+//   OPERATION [ogc|leonov-nikitin] [minimal]: WKT of the result     without a convention: for both
 //
-// These must come out vertex by vertex, by every engine; and, lest the hand be wrong, the exact checker must find them
-// closed, canonical and right. What is not understood is an error that names file and line.
+// Every engine must give these results, vertex by vertex. To detect mistakes in them, the exact checker must find them
+// closed, canonical and right. Text that is not understood is an error that names file and line.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 

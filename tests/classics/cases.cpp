@@ -31,7 +31,8 @@ RegionSet reversed(RegionSet r) {
 RegionSet regular(Plane& plane) {
   Random& random = plane.random();
   RegionSet soup;
-  // Half of the time nothing crosses, so that on a grid all vertices are integers, holes and touches included.
+  // In half of the cases nothing crosses. Then on a grid all vertices are integers, also with holes and touching
+  // vertices.
   const bool complete = random.one_in(2);
   const int rings = complete ? 1 : random.between(1, 3);
   for (int i = 0; i < rings; ++i) append(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));

@@ -67,7 +67,7 @@ RegionSet one_contour(std::vector<Point> points);
 /// several that overlap or nest, or one that is a mess far from a small window.
 ClassicCase window_case(Random& random);
 
-/// The result of `overlay` by all stages of the pipeline: with statistics asked for, no fast path is taken.
+/// The result of `overlay` by all stages of the pipeline: it requests statistics, so no fast path is taken.
 RegionSet by_pipeline(const RegionView& a, const RegionView& b, Operation operation, Options options = {});
 
 /// The same for a case: what the method must give.

@@ -78,7 +78,7 @@ std::vector<Point> star(Random& random, int n) {
   return ring;
 }
 
-/// Where no fast path is taken the ratio tells what it costs to see so.
+/// If no fast path is taken, the ratio is the cost of the test.
 void compare(const char* what, int n, const std::vector<ClassicCase>& cases) {
   long taken = 0, differ = 0;
   for (const ClassicCase& c : cases) {

@@ -9,7 +9,7 @@
 
 namespace oblast::tests {
 
-/// Adds a contour as a polygon of its own.
+/// Adds a contour as a polygon.
 void append(RegionSet& regions, const std::vector<Point>& contour);
 
 /// Convex, counter-clockwise, three or more vertices, some of them straight.

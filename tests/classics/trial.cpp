@@ -33,7 +33,7 @@ void note(TrialCount& count, const ClassicCase& c, std::uint64_t seed, const std
   if (count.first_failure.empty()) count.first_failure = failure(c, seed, what);
 }
 
-/// The error says what is at fault, as indices and in words, and what to use instead.
+/// True if the error names the fault, as indices and in words, and another method.
 bool is_good_refusal(const Error& e, OutsideCase::Names names) {
   const std::string what = e.what();
   const auto says = [&](const char* words) { return what.find(words) != std::string::npos; };

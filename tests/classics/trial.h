@@ -20,7 +20,7 @@ struct TrialCount {
   long empty = 0;            ///< inside, results that are empty
   long handed_over[3] = {};  ///< inside, handed to the settled noding, by Spread
   long wrong = 0;            ///< inside, bytes that differ or an exception
-  long admitted = 0;         ///< outside, no error, or one that does not say what is at fault and what to use
+  long admitted = 0;         ///< outside the domain: no error, or one that does not name the fault and another method
   std::string first_failure;
 };
 

@@ -1,4 +1,5 @@
-// The overlay with a convex window: by hand, at random against the pipeline, and declined where it must be.
+// The overlay with a convex window: known results, random cases compared with the pipeline, and cases that must be
+// declined.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 

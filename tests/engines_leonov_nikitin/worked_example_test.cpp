@@ -138,7 +138,7 @@ TEST_P(EnginesOnWorkedExample, contoursAreAsStated) {
   EXPECT_EQ(counts(Operation::symmetric_difference), (Counts{3, 0}));
   EXPECT_EQ(outer_and_inner(unite(region_b(), options)), (Counts{1, 0}));  // one contour that touches itself
 
-  // By ogc every ring is simple: where A less B closes around A's hole at x, the hole is a ring of its own.
+  // With ogc every ring is simple. A less B closes around A's hole at x, so the hole is a separate ring.
   options.contours = ContourConvention::ogc;
   EXPECT_EQ(counts(Operation::unite), (Counts{1, 2}));
   EXPECT_EQ(counts(Operation::difference), (Counts{2, 1}));

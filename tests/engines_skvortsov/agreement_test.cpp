@@ -1,4 +1,4 @@
-// The engine against the default one: the same bytes, whatever is asked.
+// The engine gives the same bytes as the default engine, for any options.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 

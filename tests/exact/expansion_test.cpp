@@ -22,7 +22,7 @@ Rational value(const Expansion<N>& e) {
   return sum;
 }
 
-/// Coordinates of any magnitude in the domain, many of few bits, so that terms cancel.
+/// Coordinates of any magnitude in the domain. Many have few bits, so terms cancel.
 double coordinate(Random& random) {
   if (random.one_in(8)) return 0;
   const double mantissa = random.one_in(2) ? 1 + random.unit() : 1 + random.below(4) * 0.25;

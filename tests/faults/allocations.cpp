@@ -1,4 +1,4 @@
-// The replaced operator new and delete: malloc and free, counted.
+// Replaces operator new and delete by malloc and free, with counters.
 #include "faults/allocations.h"
 
 #include <atomic>

@@ -1,15 +1,15 @@
-// Every operator new of this program, counted, and one of them made to fail.
+// Counts every operator new of this program, and can make one of them fail.
 #pragma once
 
 #include <cstdint>
 
 namespace oblast::testing {
 
-/// Blocks from operator new that are not deleted yet.
+/// The number of blocks from operator new that are not yet deleted.
 std::int64_t live_blocks();
 
-/// While it lives, the `number`-th operator new from now on, in any thread, throws std::bad_alloc; 0: none does, they
-/// are only counted. All others are served.
+/// While it exists, the `number`-th operator new from now on, in any thread, throws std::bad_alloc. 0: none throws;
+/// they are only counted. All others succeed.
 class FailingAllocation {
  public:
   explicit FailingAllocation(std::uint64_t number);
@@ -17,7 +17,7 @@ class FailingAllocation {
   FailingAllocation(const FailingAllocation&) = delete;
   FailingAllocation& operator=(const FailingAllocation&) = delete;
 
-  /// How many there were so far.
+  /// The number of calls of operator new so far.
   std::uint64_t count() const;
 };
 

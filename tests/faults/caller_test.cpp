@@ -1,4 +1,4 @@
-// A caller with tasks of his own, who cancels them while they are in calls: each call ends with the right bytes.
+// A caller cancels his own tasks while they are in calls of the library. Each call still returns the right bytes.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 #include <tbb/parallel_for.h>

@@ -1,5 +1,5 @@
-// A call that ends early, at any moment, by the answer to a question or by what its progress function throws: it throws
-// that, asks no more, leaks nothing, and the next call is right.
+// A call is stopped at any moment: its progress function returns false or throws. The call throws, does not call the
+// function again, leaks nothing, and the next call is right.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 
@@ -13,7 +13,7 @@
 namespace oblast::testing {
 namespace {
 
-/// Cancels at the `last`-th question. False when the call had its answer before.
+/// Cancels when the progress function is called for the `last`-th time. False if the call ended before.
 bool is_cancelled(const generators::Operands& operands, Operation operation, Options options, int last,
                   const RegionSet& expected) {
   std::atomic<int> asked = 0;
@@ -29,7 +29,7 @@ bool is_cancelled(const generators::Operands& operands, Operation operation, Opt
   return false;
 }
 
-/// What no library throws, and nobody copies.
+/// An exception that no library throws.
 struct Thrown {
   explicit Thrown(int number) : value(number) {}
   Thrown(const Thrown&) = delete;
@@ -37,7 +37,7 @@ struct Thrown {
   int value;
 };
 
-/// Throws at the `last`-th question.
+/// Throws when the progress function is called for the `last`-th time.
 bool is_thrown_out(const generators::Operands& operands, Operation operation, Options options, int last,
                    const RegionSet& expected) {
   std::atomic<int> asked = 0;

@@ -1,4 +1,4 @@
-// A call made again and again, its first allocation failing, then its second, and so on.
+// Repeats a call. In the first run its first allocation fails, in the second run its second one, and so on.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 
 namespace oblast::testing {
 
-/// Until one run needs no more allocations than were failed before it. Each run ends with std::bad_alloc or with the
-/// right answer (where the code can do without), and leaks nothing. `call` returns false for a wrong answer; `after` is
-/// called after each run, when nothing fails. More than `fewest` runs are expected.
+/// Ends when a run succeeds without reaching the allocation that would fail. Each run ends with std::bad_alloc, or with
+/// the right result (if the code can do without the memory), and leaks nothing. `call` returns false for a wrong
+/// result. `after` is called after each run, without failures. More than `fewest` runs are expected.
 inline void fail_every_allocation(
     const std::function<bool()>& call, const std::function<void()>& after = [] {}, std::uint64_t fewest = 5) {
-  ASSERT_TRUE(call());  // what is made once and for all is made now
+  ASSERT_TRUE(call());  // makes objects that are allocated only once
   ASSERT_TRUE(call());
   std::uint64_t number = 1;
   for (bool done = false; !done; ++number) {

@@ -1,4 +1,4 @@
-// Inputs that come to all the loops there are: many parts, one large part, identical edges, traces.
+// Inputs that reach all loops: many parts, one large part, identical edges, traces.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,8 @@ struct NamedOperands {
   generators::Operands operands;
 };
 
-/// Clusters of overlapping squares, half of each cluster in A: above 4,000 vertices many batches of parts.
+/// Clusters of overlapping squares, half of each cluster in A. With more than 4,000 vertices there are many batches of
+/// parts.
 inline generators::Operands clusters(int count) {
   generators::Random random(7);
   generators::Operands operands;
@@ -36,7 +37,7 @@ inline generators::Operands clusters(int count) {
   return operands;
 }
 
-/// Two polygons of so many vertices each, that meet often: one part.
+/// Two polygons with this many vertices each, which meet often: one part.
 inline generators::Operands two_stars(int vertices) {
   generators::Operands operands;
   for (int s = 0; s < 2; ++s) {
@@ -51,7 +52,7 @@ inline generators::Operands two_stars(int vertices) {
   return operands;
 }
 
-/// Slanted lines clipped by two tiles that share an edge: all of the shared edge is traces.
+/// Slanted lines, clipped by two tiles that share an edge. The shared edge consists of traces.
 inline generators::Operands hatch(int lines) {
   generators::Operands operands;
   for (int i = 0; i < lines; ++i) {
@@ -67,7 +68,7 @@ inline generators::Operands hatch(int lines) {
   return operands;
 }
 
-/// `scale` 1 is above every threshold; a tenth of it is enough where a sanitizer is at work.
+/// `scale` 1 is above every threshold. A tenth is enough with a sanitizer.
 inline std::vector<NamedOperands> threshold_inputs(double scale) {
   const auto sized = [scale](int size) { return std::max(10, static_cast<int>(size * scale)); };
   return {{"clusters", clusters(sized(400))},

@@ -1,5 +1,5 @@
-// CallOptions::most_bytes: whatever the limit, a call has its answer or ends with Error(memory_limit), leaks nothing,
-// and the next call is right.
+// CallOptions::most_bytes: with any limit a call succeeds or ends with Error(memory_limit). It leaks nothing, and the
+// next call is right.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 #include <oblast/workspace.h>
@@ -18,7 +18,7 @@ namespace oblast::testing {
 using namespace internal;
 namespace {
 
-/// What the function returned; nothing where it came to the limit.
+/// The result of the function; nothing if it reached the limit.
 Bits call_within(const PublicFunction& function, const CallOptions& options) {
   try {
     return function.call(options);
@@ -29,7 +29,7 @@ Bits call_within(const PublicFunction& function, const CallOptions& options) {
   }
 }
 
-/// From one byte on until the call is done, each time more by the `part`-th part.
+/// Begins with a limit of one byte, and increases it by its `part`-th part until the call succeeds.
 void expect_limits_kept(const PublicFunction& function, CallOptions options, std::size_t part) {
   const Bits expected = function.call(options);
   function.call(options);
@@ -48,9 +48,9 @@ void expect_limits_kept(const PublicFunction& function, CallOptions options, std
     }
     refused += !done;
   }
-  // A clip of what lies elsewhere needs nothing: three sizes of 0 are an empty result.
+  // A clip without anything near the window needs no memory: three sizes of 0 are an empty result.
   EXPECT_TRUE(refused > 0 || expected == Bits(3, 0)) << function.name << " was never refused";
-  // On several threads a call needs more one time than another, as they happen to run.
+  // On several threads, the memory that a call needs varies with the schedule.
   options.most_bytes *= 4;
   EXPECT_EQ(call_within(function, options), expected) << function.name;
   options.most_bytes = 0;
@@ -96,7 +96,7 @@ TEST(MemoryLimit, smallCallsNeedHardlyAny) {
   }
 }
 
-/// Teeth of two long edges each, side by side along x; turned, along y.
+/// Teeth with two long edges each, side by side along x, or along y if `turned`.
 RegionSet comb(int teeth, bool turned) {
   RegionSet comb;
   const auto add = [&](double x, double y) { comb.points.push_back(turned ? Point{y, x} : Point{x, y}); };
@@ -111,7 +111,7 @@ RegionSet comb(int teeth, bool turned) {
   return comb;
 }
 
-/// The most memory that this process has had, in bytes; 0 where the system does not tell.
+/// The peak memory of this process, in bytes; 0 if the system does not report it.
 std::size_t peak_bytes() {
   std::size_t kilobytes = 0;
   if (std::FILE* const file = std::fopen("/proc/self/status", "r")) {
@@ -123,7 +123,7 @@ std::size_t peak_bytes() {
   return kilobytes << 10;
 }
 
-// They cross a thousand million times: more than 2^31 cuts from a megabyte.
+// They cross a thousand million times: more than 2^31 cuts from a megabyte of input.
 TEST(MemoryLimit, twoCombsOf33000EdgesEndWithinHalfAGibibyte) {
   const RegionSet a = comb(16500, false), b = comb(16500, true);
   for (const int threads : {1, 2}) {
@@ -138,7 +138,7 @@ TEST(MemoryLimit, twoCombsOf33000EdgesEndWithinHalfAGibibyte) {
         EXPECT_EQ(error.code(), low_index_limits ? ErrorCode::too_large : ErrorCode::memory_limit) << error.what();
       }
     };
-    expect_refused();  // what the scheduler makes once and for all is made now
+    expect_refused();  // makes objects that the scheduler allocates only once
     const std::int64_t before = live_blocks();
     expect_refused();
     EXPECT_EQ(live_blocks(), before);

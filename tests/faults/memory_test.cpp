@@ -1,5 +1,5 @@
-// Out of memory at every single allocation of every public function: std::bad_alloc, no leak, and the next call is
-// right.
+// Lets every single allocation of every public function fail: the call throws std::bad_alloc and leaks nothing, and the
+// next call is right.
 #include <gtest/gtest.h>
 #include <oblast/classics.h>
 #include <oblast/hull.h>
@@ -16,7 +16,7 @@
 namespace oblast::testing {
 namespace {
 
-/// In one thread, so that the same allocation fails each time.
+/// In one thread, so the same allocation fails each time.
 template <typename Function>
 void fail_every_allocation_of(const Function& function, std::uint64_t fewest = 5) {
   tbb::task_arena(1).execute([&] {
@@ -25,8 +25,8 @@ void fail_every_allocation_of(const Function& function, std::uint64_t fewest = 5
   });
 }
 
-/// A small call asks for little but its result, since it brings its memory with it (call_memory.h); one on so many
-/// edges asks for all of its arrays.
+/// A small call allocates little except its result, because its memory is on the stack (call_memory.h). A call on
+/// `large_size` edges allocates all of its arrays.
 constexpr int small_size = 20, large_size = 200;
 constexpr std::uint64_t fewest_of_small = 1;
 
@@ -43,7 +43,7 @@ TEST_P(OutOfMemory, atAnyAllocationOfAnOverlayLeavesNothingBehind) {
   }
   const generators::Operands large = generators::coverages(3, large_size);
   fail_every_allocation_of([&] { return overlay(large.a, large.b, Operation::intersection, options); }, 50);
-  // And with a workspace, whose blocks are there again after what was thrown.
+  // Also with a workspace, whose blocks must be back after the exception.
   Workspace workspace;
   options.workspace = &workspace;
   const generators::Operands longer = generators::coverages(3, 8 * large_size);
@@ -93,7 +93,7 @@ TEST(OutOfMemory, atAnyAllocationOfAClassicLeavesNothingBehind) {
 }
 
 TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
-  // Of the small one most arrays are in the memory that the call brings with it.
+  // In the small call most arrays are in the memory on the stack.
   for (const int size : {large_size, 8 * large_size}) {
     const RegionSet soup = generators::earth_degrees(6, size).a;
     const std::uint64_t fewest = size == large_size ? fewest_of_small : 20;
@@ -104,7 +104,7 @@ TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
   }
 }
 
-// Which allocation fails differs from run to run here.
+// Here the allocation that fails differs from run to run.
 TEST_P(OutOfMemory, inAnyThreadLeavesNothingBehind) {
   generators::Random random(4);
   constexpr Operation operations[] = {Operation::symmetric_difference, Operation::intersection, Operation::unite,
@@ -129,7 +129,7 @@ TEST_P(OutOfMemory, inAnyThreadLeavesNothingBehind) {
       const std::int64_t before = live_blocks();
       int thrown = 0;
       for (int trial = 0; trial < 8; ++trial) {
-        // The first ones are of other kinds than those of loops later on.
+        // The first allocations are of other kinds than those of later loops.
         const auto number = 1 + random.next() % (trial < 3 ? std::min<std::uint64_t>(allocations, 60) : allocations);
         try {
           const FailingAllocation failing(number);

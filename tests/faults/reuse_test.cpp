@@ -1,4 +1,4 @@
-// What calls into arrays that are there ask of the system: for small ones, next to nothing.
+// Calls that write into an existing result allocate next to nothing, if they are small.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 
@@ -10,7 +10,7 @@
 namespace oblast::testing {
 namespace {
 
-/// With every other corner at half the radius where `notched`.
+/// If `notched`, every other corner is at half the radius.
 RegionSet wheel(int corners, double x, bool notched) {
   RegionSet result;
   for (int i = 0; i < corners; ++i) {
@@ -35,7 +35,7 @@ TEST(Reuse, smallCallsAskForNothingWhereFewEdgesCross) {
         overlay(a, b, operation, options, result);
         const FailingAllocation counted(0);
         overlay(a, b, operation, options, result);
-        // Where many edges cross the memory that the call brings with it is used up.
+        // If many edges cross, the memory on the stack of the call is used up.
         const std::uint64_t most = corners == 60 && notched ? 16 : 0;
         EXPECT_LE(counted.count(), most) << corners << (notched ? " notched" : "");
       }

@@ -1,5 +1,5 @@
-// Out of memory at every single allocation while a result is written: nothing leaks, the old file stays as it was or
-// the new one is there whole, and no other file is left in the folder.
+// Lets every single allocation fail while a result is written. Nothing leaks, the folder has the unchanged old file or
+// the complete new one, and no other file remains.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

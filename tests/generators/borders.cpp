@@ -1,4 +1,4 @@
-// Hostile generators: edges that share a line, or almost.
+// Hostile generators: edges that lie on one line, exactly or nearly.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace oblast::generators {
 namespace {
 
-// A simple contour around (10, 10), seen from there at increasing angles.
+// A simple contour around (10, 10), whose angles around this point increase.
 Ring roundish(Random& random, int corners) {
   Ring ring;
   for (int i = 0; i < corners; ++i) {
@@ -20,7 +20,7 @@ Ring roundish(Random& random, int corners) {
   return ring;
 }
 
-// The contour's edges divided at random places, the new vertices rounded off the line.
+// Divides the edges of the contour at random places. Rounding moves the new vertices off the line.
 Ring divided(const Ring& ring, int steps, Random& random) {
   Ring result;
   for (std::size_t v = 0; v < ring.size(); ++v) {
@@ -36,7 +36,7 @@ Ring divided(const Ring& ring, int steps, Random& random) {
 Operands t_junctions(std::uint64_t seed, int size) {
   Random random(seed);
   Operands operands;
-  // A line from `from` to `to`, cells above it in A and below it in B, each row divided in its own way.
+  // A line from `from` to `to`, with cells above it in A and below it in B. Each row has other divisions.
   const bool integers = random.one_in(3);
   const Point from{0.1, 0.2};
   const Point to = integers ? Point{24.1, 0.2} : Point{random.in(3, 30), random.in(-9, 9)};
@@ -72,7 +72,7 @@ Operands vertices_on_edges(std::uint64_t seed, int size) {
       if (random.one_in(3)) inner.push_back(along(outer[v], outer[(v + 1) % outer.size()], random));
     }
     if (inner.size() < 3) break;
-    if (random.one_in(4)) std::reverse(inner.begin() + 1, inner.end() - 1);  // lets it cross itself
+    if (random.one_in(4)) std::reverse(inner.begin() + 1, inner.end() - 1);  // then it may cross itself
     outer = inner;
   }
   return operands;

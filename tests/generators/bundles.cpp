@@ -1,4 +1,4 @@
-// Hostile generators: many edges through one place.
+// Hostile generators: many edges through one point.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ Operands near_parallel_bundles(std::uint64_t seed, int size) {
   const Point to{random.in(5, 100), random.in(-100, 100)};
   const int steps = random.between(1, 8);
   for (int edges = 0; edges < size; edges += 4) {
-    // A sliver that runs to and fro along one line; its four corners are on it but for a few units.
+    // A sliver that runs back and forth along one line. Its four corners are within a few units of the line.
     Ring ring;
     for (const Point& p : {from, to}) {
       ring.push_back(random.one_in(2) ? p : along(from, to, random));

@@ -1,4 +1,4 @@
-// Taylor series in double-double arithmetic, after taking off multiples of a quarter turn.
+// Taylor series in double-double arithmetic, after subtracting multiples of a quarter turn.
 #include "generators/circle.h"
 
 #include <cmath>

@@ -17,7 +17,7 @@ TEST(Circle, isWithinAUnitInTheLastPlaceOfTheLibrarys) {
     const double angle = std::ldexp(random.in(-1, 1), random.between(-20, 12));
     for (const auto& [mine, library] :
          {std::pair(sine(angle), std::sin(angle)), std::pair(cosine(angle), std::cos(angle))}) {
-      // The C library's is at most one unit in the last place off.
+      // The error of the C library is at most one unit in the last place.
       EXPECT_LE(std::fabs(mine - library), std::nextafter(std::fabs(library), 2) - std::fabs(library)) << angle;
     }
   }

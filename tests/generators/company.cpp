@@ -1,4 +1,4 @@
-// Cases in company: boxes, and results of parts put together.
+// Cases with others: boxes, and joined results of parts.
 #include "generators/company.h"
 
 #include <oblast/overlay.h>
@@ -19,7 +19,7 @@ struct Part {
   }
 };
 
-// The parts of operands whose boxes hang together: a number for each polygon, those of A first.
+// The parts of operands whose boxes are connected: a number for each polygon, those of A first.
 std::vector<std::size_t> parts_of(const Operands& operands) {
   std::vector<Box> boxes;
   add_boxes_of_polygons(boxes, operands.a);

@@ -1,4 +1,4 @@
-// Cases in company: promise G7, that what lies elsewhere changes no byte of a result.
+// Cases with others, for promise G7: polygons elsewhere change no byte of a result.
 #pragma once
 
 #include <oblast/options.h>
@@ -25,18 +25,18 @@ struct Box {
 Box box_of(std::span<const Point> points);
 Box box_of(const Operands& operands);
 
-/// One box a polygon, around all its contours. Polygons without points have empty ones.
+/// Adds one box per polygon, around all its contours. Polygons without points have empty boxes.
 void add_boxes_of_polygons(std::vector<Box>& boxes, const RegionView& regions);
 
 /// Adds polygon p of `from` to `to`, or all polygons.
 void append_polygon(RegionSet& to, const RegionView& from, std::size_t p);
 void append(RegionSet& to, const RegionView& from);
 
-/// Results of which no box meets one of another, as one result: their polygons, put in order.
+/// Joins results whose boxes do not meet: their polygons, sorted.
 RegionSet put_in_order(std::span<const RegionSet> results);
 
-/// True when the overlay is that of each set of polygons whose boxes hang together, put in order: promise G7.
-/// For making failing input smaller. Cost: quadratic in the polygons.
+/// True if the overlay equals the sorted overlays of all sets of polygons whose boxes are connected (promise G7). Used
+/// to make failing input smaller. Cost: quadratic in the polygons.
 bool is_local(const Operands& operands, Operation operation, const Options& options);
 
 }  // namespace oblast::generators

@@ -1,4 +1,4 @@
-// A crowd of hostile cases: each must come out as alone.
+// A crowd of hostile cases. Each must have the same result as alone.
 #include "generators/crowd.h"
 
 #include <oblast/overlay.h>
@@ -61,7 +61,7 @@ class Crowd {
   }
 
  private:
-  // Those of the chosen members whose polygons in the crowd of these are not those they have alone.
+  // The chosen members whose polygons in the crowd differ from those that they have alone.
   std::vector<std::size_t> differing(const std::vector<std::size_t>& chosen, int form) const {
     std::vector<RegionSet> results(chosen.size());
     Operands all;
@@ -78,7 +78,8 @@ class Crowd {
     return whose(result, chosen, results);
   }
 
-  // The members that have not all their polygons, or others. When each has its own, only the order is wrong: the first.
+  // The members with missing or different polygons. If each has the right ones, only the order is wrong: then the first
+  // member.
   std::vector<std::size_t> whose(const RegionSet& result, const std::vector<std::size_t>& chosen,
                                  const std::vector<RegionSet>& results) const {
     const RegionView view = result;
@@ -102,7 +103,7 @@ class Crowd {
            " engine=" + std::to_string(static_cast<int>(crowded_.engine));
   }
 
-  // Drops runs of other members for as long as this one still differs.
+  // Drops runs of other members while this one still differs.
   std::string fewest(std::size_t member, int form) const {
     std::vector<std::size_t> others;
     for (std::size_t m = 0; m < members_.size(); ++m) {

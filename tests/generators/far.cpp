@@ -1,4 +1,4 @@
-// A case with others far away: squares that its polygons do not reach.
+// A case with others far away: squares that do not meet its polygons.
 #include "generators/far.h"
 
 #include <oblast/domain.h>
@@ -23,8 +23,9 @@ class Squares {
   }
 
   FarSquares run() {
-    // Enough to fill batches in most cases, to pass every threshold of the library in some. Few where some lie so far
-    // away that the case is a point beside a unit in the last place of theirs: then nothing keeps clear of anything.
+    // In most cases enough squares to fill batches; in some cases enough to exceed every threshold of the library. Few,
+    // if some are so far away that the whole case is smaller than a unit in the last place there: then nothing keeps
+    // clear of anything.
     very_far_ = random_.one_in(12);
     const int count = very_far_             ? random_.between(1, 60)
                       : random_.one_in(128) ? 4500
@@ -66,7 +67,7 @@ class Squares {
     for (int i = 0; i < row; ++i) add(random_.in(all_.x0, all_.x1), random_.in(all_.y0, all_.y1), side);
   }
 
-  // Where one unit in the last place is as long as many of the case, or longer than all of it.
+  // So far away that a unit in the last place is many units of the case, or larger than the whole case.
   void add_far_away(int row) {
     static constexpr int exponents[] = {2, 4, 10, 20, 40, 60, 200, 500};
     const double place = std::ldexp(largest_, exponents[random_.below(very_far_ ? 8 : 4)]),
@@ -75,7 +76,7 @@ class Squares {
     for (int i = 0; i < row; ++i) add(x + i * side * 1.3, random_.one_in(3) ? all_.y0 : y, side);
   }
 
-  // One square, if it is in the domain and meets no polygon; some are repeated, some overlap the one before.
+  // Adds a square, if it is in the domain and meets no polygon. Some are repeated, some overlap the one before.
   void add(double x, double y, double side) {
     put(x, y, side);
     if (random_.one_in(4)) put(x, y, side);

@@ -7,16 +7,15 @@
 
 namespace oblast::generators {
 
-/// Operands with small squares beside them; no box of a square meets the box of a polygon of the operands.
-/// Squares stand in rows on all four sides, some repeated, some overlapping; some lie in gaps between the polygons;
-/// some lie so far away that the unit in the last place of the whole input is many times larger. Mostly some dozens,
-/// now and then some thousands.
+/// Small squares beside operands. No box of a square meets the box of a polygon of the operands. Squares are in rows on
+/// all four sides; some are repeated, some overlap. Some are in gaps between the polygons. Some are so far away that
+/// the unit in the last place of the whole input is many times larger. Usually some dozens, sometimes some thousands.
 struct FarSquares {
   RegionSet a, b;
 };
 FarSquares far_squares(const Operands& operands, std::uint64_t seed);
 
-/// The operands with the squares, in an order of their own.
+/// The operands with the squares, in a random order.
 Operands with_squares(const Operands& operands, const FarSquares& squares, std::uint64_t seed);
 
 }  // namespace oblast::generators

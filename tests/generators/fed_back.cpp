@@ -1,6 +1,6 @@
 // Hostile generator: results of earlier operations, ten deep.
 //
-// Results carry vertices that were rounded before, lying within an ulp of edges that are still there.
+// Results have vertices that were rounded before. They are within an ulp of edges that still exist.
 #include <oblast/overlay.h>
 
 #include "generators/hostile.h"
@@ -10,7 +10,7 @@ namespace oblast::generators {
 
 Operands fed_back(std::uint64_t seed, int size) {
   static constexpr int depth = 10;
-  // Families of one scale each, so that what comes next meets what is there.
+  // Families with one scale each, so the next operand meets the result.
   static constexpr decltype(&fans) families[] = {integer_grid, near_parallel_bundles, fans,  stars,     t_junctions,
                                                  slivers,      vertices_on_edges,     combs, coverages, nested_squares};
   Random random(seed);

@@ -1,4 +1,4 @@
-// The generators themselves: they repeat, stay in the domain and do what their names say.
+// Tests of the generators: they are repeatable, stay in the domain, and do what their names say.
 #include <gtest/gtest.h>
 #include <oblast/domain.h>
 #include <oblast/overlay.h>
@@ -97,7 +97,7 @@ TEST(Crowd, membersKeepApartAndInTheDomain) {
   }
 }
 
-// A case that keeps clear of the axes comes back bit for bit when its place is divided out again.
+// If a case is clear of the axes, dividing by its scale restores it bit for bit.
 TEST(Crowd, scalingKeepsBits) {
   const HostileGenerator& generator =
       *std::find_if(hostile_generators().begin(), hostile_generators().end(),

@@ -1,4 +1,4 @@
-// Hostile input: two operands made so that edges coincide, nearly coincide, or meet in crowds.
+// Hostile input: two operands whose edges coincide, nearly coincide, or meet in crowds.
 //
 // Each generator is a pure function of a seed and a size, the same on every machine. Tests, the hostile
 // runner and the fuzzers share the list.
@@ -20,11 +20,11 @@ struct Operands {
 struct HostileGenerator {
   const char* name;
   const char* what;  ///< one sentence
-  /// `size`: about how many edges both operands have together; 8 or more.
+  /// `size`: the approximate number of edges of both operands together; 8 or more.
   Operands (*make)(std::uint64_t seed, int size);
-  int usual = 60;      ///< the largest size at which a case takes milliseconds, for runs over very many
-  int larger = 500;    ///< a size at which a case has many thousand meetings at most, for tests that should be quick
-  int largest = 4000;  ///< a size at which a case takes some tenths of a second, for a few among very many
+  int usual = 60;      ///< the largest size at which a case takes milliseconds, for runs over very many cases
+  int larger = 500;    ///< a size at which a case has at most many thousand meetings, for tests that should be fast
+  int largest = 4000;  ///< a size at which a case takes some tenths of a second, for a few among very many cases
 };
 
 /// All of them, in a fixed order.
@@ -37,19 +37,19 @@ Operands copies_of_one_square(std::uint64_t seed, int size);
 Operands nested_squares(std::uint64_t seed, int size);
 Operands checkerboards(std::uint64_t seed, int size);
 
-// bundles.cpp: many edges through one place
+// bundles.cpp: many edges through one point
 Operands near_parallel_bundles(std::uint64_t seed, int size);
 Operands fans(std::uint64_t seed, int size);
 Operands combs(std::uint64_t seed, int size);
 Operands stars(std::uint64_t seed, int size);
 
-// borders.cpp: edges that share a line, or almost
+// borders.cpp: edges that lie on one line, exactly or nearly
 Operands t_junctions(std::uint64_t seed, int size);
 Operands vertices_on_edges(std::uint64_t seed, int size);
 Operands slivers(std::uint64_t seed, int size);
 Operands coverages(std::uint64_t seed, int size);
 
-// scales.cpp: coordinates as they come, and as they hardly ever come
+// scales.cpp: usual and very unusual magnitudes of coordinates
 Operands spirals(std::uint64_t seed, int size);
 Operands magnitudes(std::uint64_t seed, int size);
 Operands earth_degrees(std::uint64_t seed, int size);

@@ -1,4 +1,4 @@
-// Hostile generators: where everything coincides.
+// Hostile generators: inputs in which everything coincides.
 #include <algorithm>
 
 #include "generators/hostile.h"
@@ -62,7 +62,7 @@ Operands copies_of_one_square(std::uint64_t seed, int size) {
   if (random.one_in(2)) square = {{1.1, 2.3}, {2.3, 1.3}, {3.7, 2.1}, {2.1, 3.9}};
   const int steps = random.below(3);
   const int copies = std::max(2, size / 4);
-  const int exact_copies = std::max(4, copies / 50);  // of so many one is nudged: any two of those cross
+  const int exact_copies = std::max(4, copies / 50);  // one in this many is nudged; any two nudged copies cross
   for (int i = 0; i < copies; ++i) {
     Ring copy = square;
     if (random.one_in(exact_copies)) copy = nudge(copy, steps, random);
@@ -77,7 +77,7 @@ Operands nested_squares(std::uint64_t seed, int size) {
   Random random(seed);
   Operands operands;
   const bool rounded = random.one_in(2);
-  // Each square has its corners on the middles of the sides of the one around it.
+  // Each square has its corners on the midpoints of the sides of the square around it.
   Ring square = rectangle(0, 0, 64, 64);
   if (rounded) square = {{0.1, 0.3}, {64.7, -0.9}, {65.3, 64.1}, {0.7, 63.3}};
   for (int i = 0; i < std::max(2, size / 4); ++i) {

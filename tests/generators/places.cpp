@@ -1,4 +1,4 @@
-// Laying cases side by side.
+// Places cases side by side.
 #include <oblast/domain.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void put_in_rows(std::vector<CrowdMember>& members) {
   for (std::size_t m = 0; m < members.size(); ++m) {
     const Box box = box_of(members[m].operands);
     if (box.empty()) continue;
-    // By halves, since the width of a box may be twice what the domain holds.
+    // With halves, because the width of a box may be twice the largest magnitude of the domain.
     const double size = std::max(box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2);
     const double scale = std::ldexp(1.0, -1 - exponent_of(size));
     const auto to_cell = [&](double low, std::size_t cell) -> std::function<double(double)> {
@@ -40,7 +40,7 @@ void put_in_rows(std::vector<CrowdMember>& members) {
   }
 }
 
-// Brings coordinates from [low, high] into (1/4, 2), by a power of two and a sign alone where they keep clear of 0.
+// Maps coordinates from [low, high] into (1/4, 2); only by a power of two and a sign, if they are clear of 0.
 std::function<double(double)> clear_of_zero(double low, double high) {
   const double sign = low + high < 0 ? -1 : 1;
   const double least = sign < 0 ? -high : low, most = std::max(std::abs(low), std::abs(high));

@@ -1,4 +1,4 @@
-// The generators' own random numbers: the same on every machine and with every standard library.
+// The random numbers of the generators: the same on every machine and with every standard library.
 #pragma once
 
 #include <cstdint>

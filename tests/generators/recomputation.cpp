@@ -1,4 +1,4 @@
-// A case once more by exact arithmetic.
+// Recomputes a case with exact arithmetic.
 #include "generators/recomputation.h"
 
 #include <tbb/task_arena.h>
@@ -26,7 +26,7 @@ NodedArrangement arrangement_of(const ChainGraph& graph, const Options& options)
   return {std::move(edges), options.fill_a, options.fill_b};
 }
 
-/// Twice the area of the operation's contours, before traces are taken out: then every vertex is one of the
+/// Twice the area of the contours of an operation, before traces are removed: then every vertex is a vertex of the
 /// arrangement.
 WideInteger twice_area(const ChainGraph& graph, const LargeArray<Winding>& right, Operation operation,
                        const Options& options, const NodedArrangement& arrangement) {
@@ -69,7 +69,7 @@ std::optional<std::string> recompute_result(const Operands& operands, const Requ
 }
 
 std::optional<std::string> recompute_arrangement(const Operands& operands, const Request& request) {
-  // Each pair of noded edges is looked at.
+  // Every pair of noded edges is tested.
   constexpr std::size_t most_vertices = 500;
   if (operands.a.points.size() + operands.b.points.size() > most_vertices) return std::nullopt;
   const Options options = options_of(request);

@@ -1,4 +1,4 @@
-// What a hostile case asks for.
+// The options and checks of a hostile case.
 #include "generators/request.h"
 
 #include "generators/random.h"

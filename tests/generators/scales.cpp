@@ -1,4 +1,4 @@
-// Hostile generators: coordinates as they come, and as they hardly ever come.
+// Hostile generators: usual and very unusual magnitudes of coordinates.
 #include <oblast/domain.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace oblast::generators {
 namespace {
 
-// Cells of a rotated pixel lattice, single or merged into L shapes, as detections of one satellite pass.
+// Cells of a rotated pixel lattice, single or merged into L shapes, like the detections of one satellite pass.
 RegionSet pixels(Random& random, int edges, Point origin, double step, double grain) {
   RegionSet soup;
   const double angle = random.in(-0.6, 0.6);
@@ -89,7 +89,7 @@ Operands magnitudes(std::uint64_t seed, int size) {
     const int corners = random.between(3, 6);
     for (int i = 0; i < corners; ++i) {
       const auto one = [&] {
-        // Values come back, so that edges share lines and vertices.
+        // Values are reused, so edges share lines and vertices.
         if (used.empty() || random.one_in(2)) used.push_back(coordinate());
         return used[static_cast<std::size_t>(random.below(static_cast<int>(used.size())))];
       };

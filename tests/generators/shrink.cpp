@@ -1,4 +1,4 @@
-// Making a failing case small enough to read.
+// Makes a failing case small enough to read.
 #include "generators/shrink.h"
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace oblast::generators {
 namespace {
 
-// Both operands as nested lists, from which things are easily dropped.
+// Both operands as nested lists, from which elements are easily dropped.
 using Polygon = std::vector<Ring>;
 struct Nested {
   std::vector<Polygon> operands[2];
@@ -62,7 +62,7 @@ class Shrinker {
   }
 
  private:
-  // Drops runs of elements, long ones first, while the case still fails. True when any could be dropped.
+  // Drops runs of elements, long ones first, while the case still fails. True if any could be dropped.
   template <typename T>
   bool drop_from(std::vector<T>& list, std::size_t keep) {
     bool dropped = false;

@@ -1,4 +1,4 @@
-// Making a failing case small enough to read.
+// Makes a failing case small enough to read.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace oblast::generators {
 
-/// Drops polygons, contours and vertices for as long as `fails` stays true of what is left.
+/// Drops polygons, contours and vertices while `fails` is true for the rest.
 /// Cost: at most `budget` calls of `fails`. REQUIRES: fails(operands).
 Operands shrink(Operands operands, const std::function<bool(const Operands&)>& fails, int budget = 3000);
 

@@ -25,8 +25,8 @@ std::vector<std::uint32_t> numbers(std::uint32_t begin, std::uint32_t end) {
 RegionSet shuffled(const RegionSet& regions, const FillRule& rule, std::uint64_t seed) {
   Random random(seed);
   const RegionView view = regions;
-  // Winding numbers of single contours may change their sign where only their parity counts; all together
-  // where only being zero counts.
+  // The winding number of a single contour may change its sign if only the parity counts. All may change together if it
+  // only counts whether the sum is zero.
   const bool reverse_any = rule.by_polygon() || rule.kind == FillRule::Kind::even_odd;
   const bool reverse_all = rule.kind == FillRule::Kind::nonzero && random.one_in(2);
 

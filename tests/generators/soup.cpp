@@ -1,4 +1,4 @@
-// Building contours for the hostile generators.
+// Builds contours for the hostile generators.
 #include "generators/soup.h"
 
 #include <oblast/domain.h>

@@ -1,4 +1,4 @@
-// Building contours for the hostile generators.
+// Builds contours for the hostile generators.
 #pragma once
 
 #include <oblast/region_set.h>
@@ -11,12 +11,12 @@ namespace oblast::generators {
 
 using Ring = std::vector<Point>;
 
-/// Adds `ring` to `soup` as a polygon of its own, or as a further contour of the last one.
+/// Add `ring` to `soup`, as a polygon or as a further contour of the last polygon.
 /// Coordinates smaller than the domain's smallest become 0. Rings may have any number of vertices.
 void add_polygon(RegionSet& soup, const Ring& ring);
 void add_hole(RegionSet& soup, const Ring& ring);
 
-/// Adds `ring` in either way, one in three as a further contour of the last polygon.
+/// Adds `ring` in one of the two ways; one in three becomes a further contour of the last polygon.
 void add_either_way(RegionSet& soup, const Ring& ring, Random& random);
 
 /// Axis-parallel, counter-clockwise.
@@ -28,7 +28,7 @@ Ring reversed(Ring ring);
 double nudge(double coordinate, int steps, Random& random);
 Ring nudge(Ring ring, int steps, Random& random);
 
-/// A point of the segment ab at a random place, rounded twice: rarely on it, always beside it.
+/// A random point of the segment ab, rounded twice: rarely on the segment, always close to it.
 Point along(const Point& a, const Point& b, Random& random);
 
 }  // namespace oblast::generators

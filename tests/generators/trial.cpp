@@ -1,4 +1,4 @@
-// One hostile case, all four operations, every promise that can be checked quickly.
+// Runs one hostile case: all four operations, with every promise that can be checked quickly.
 #include "generators/trial.h"
 
 #include <oblast/domain.h>
@@ -33,7 +33,7 @@ Options options_of(const Request& request, Statistics* statistics) {
   return options;
 }
 
-// A result is read again by polygons, whatever rule it came from.
+// A result is read by polygons, whatever the fill rule of its operands.
 Options again(Options options) {
   options.fill_a = options.fill_b = FillRule::polygons();
   options.statistics = nullptr;
@@ -54,7 +54,7 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
   }
   if (unite(result, again(options)) != result) return broken(Broken::not_idempotent, "unite(result) is not result");
 
-  // Otherwise: another order, other threads, and memory that calls before have left.
+  // With differences: another order, other threads, and memory that earlier calls have kept.
   static thread_local Workspace workspace;
   options.statistics = nullptr;
   options.workspace = &workspace;
@@ -96,9 +96,9 @@ std::optional<Failure> run_with_squares(const Operands& operands, const Request&
                      " squares that meet no box change the result"};
 }
 
-// More than all edges together can sweep over when each moves by a few units in the last place of the largest
-// coordinate, or by the smallest magnitude of the domain: an edge is at most about three times as long as that
-// coordinate is large.
+// A bound of the area that all edges together can sweep if each moves by a few units in the last place of the largest
+// coordinate, or by the smallest magnitude of the domain. An edge is at most about three times as long as the largest
+// coordinate.
 double area_tolerance(const Operands& operands) {
   double largest = 0;
   for (const RegionSet* soup : {&operands.a, &operands.b}) {

@@ -1,5 +1,5 @@
-// One hostile case: what is asked of the library, and whether every promise that can be checked quickly held; alone,
-// and with others far away. In a crowd: crowd.h.
+// Runs one hostile case, alone and with others far away, and checks every promise that can be checked quickly. crowd.h
+// runs cases in a crowd.
 #pragma once
 
 #include <cstdint>
@@ -28,19 +28,25 @@ struct Figures {
   double displacement_ulps = 0;
 };
 
-/// Runs all four operations on the operands. The first failure, if there is one:
-/// unverified: the result is not closed or not canonical; not_idempotent: uniting it changes a byte;
-/// order_dependent: shuffled and, as far as the fill rule allows, reversed contours or two threads change
-/// a byte; far: squares that lie elsewhere (far.h) change a byte of the chosen operation; threw: an exception;
-/// engines_differ; area: the areas of the four results contradict each other; wrong: the result of the chosen operation
-/// is not what exact recomputation says (recomputation.h). `crowd` is not asked here (crowd.h).
+/// Runs all four operations on the operands, and returns the first failure, if any:
+/// - unverified: the result is not closed or not canonical.
+/// - not_idempotent: uniting the result changes a byte.
+/// - order_dependent: a byte changes if contours are shuffled and (as far as the fill rule allows) reversed, or with
+/// two
+///   threads.
+/// - far: squares elsewhere (far.h) change a byte of the chosen operation.
+/// - threw: an exception.
+/// - engines_differ: another engine gives other bytes.
+/// - area: the areas of the four results contradict each other.
+/// - wrong: the result of the chosen operation differs from exact recomputation (recomputation.h).
+/// `crowd` is not tested here (crowd.h).
 std::optional<Failure> run_trial(const Operands& operands, const Request& request, Figures& figures);
 
-/// The operands of the call in which others lie far away: what a failure `far` is about.
+/// The operands of the call with others far away, for a failure `far`.
 Operands with_others_far_away(const Operands& operands, const Request& request);
 
-/// The operand with polygons and contours in another order, starts rotated, contours reversed where
-/// the fill rule does not see it.
+/// The operand with polygons and contours in another order, with rotated starts, and with reversed contours if the fill
+/// rule does not depend on directions.
 RegionSet shuffled(const RegionSet& regions, const FillRule& rule, std::uint64_t seed);
 
 }  // namespace oblast::generators

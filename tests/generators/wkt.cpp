@@ -1,4 +1,4 @@
-// WKT of soups as they are.
+// WKT of region sets, unchanged.
 #include "generators/wkt.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// WKT of soups as they are, for printed failures and for cases in text files. Needs no GDAL.
+// WKT of region sets, unchanged, for printed failures and for cases in text files. Needs no GDAL.
 #pragma once
 
 #include <oblast/region_set.h>

@@ -1,4 +1,4 @@
-// The cases of the corpora, as `oblast corpus` reads them; without GDAL, so that it runs where there is none.
+// The cases of the corpora, as `oblast corpus` reads them. Does not need GDAL.
 #include <algorithm>
 #include <fstream>
 #include <memory>

@@ -1,4 +1,4 @@
-// Files of digests: one line an input, "name input result", sorted by name; lines with # in front say what they are.
+// Files of digests: one line per input, "name input result", sorted by name. Lines that begin with # are comments.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace oblast::golden {
 
-/// Of one input: what it is, and what the library made of it.
+/// The digests of one input and of its result.
 struct InputAndResult {
   std::uint64_t input = 0;
   std::uint64_t result = 0;
@@ -17,7 +17,7 @@ struct InputAndResult {
 using Digests = std::map<std::string, InputAndResult>;
 
 std::string to_text(const Digests& digests);
-/// Throws std::runtime_error that quotes the line at fault.
+/// Throws std::runtime_error, whose message quotes the faulty line.
 Digests parse_digests(const std::string& text);
 
 }  // namespace oblast::golden

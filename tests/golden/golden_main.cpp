@@ -4,7 +4,7 @@
 //   oblast_golden --check FOLDER --slice 3/20         every twentieth input, from the third on
 //   oblast_golden --write FOLDER --only hostile       one family's file anew
 //
-// The exit code is 1 when any digest differs, or when a family that was asked for has no data.
+// The exit code is 1 if any digest differs, or if a requested family has no data.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <chrono>
@@ -104,7 +104,7 @@ Digests read(const fs::path& path) {
   return parse_digests({std::istreambuf_iterator<char>(file), {}});
 }
 
-/// How many digests are not as they were; says which.
+/// Prints the digests that differ, and returns their number.
 std::size_t compare(const Family& family, const Digests& computed, const Digests& golden, const Settings& settings) {
   std::size_t other_results = 0, other_inputs = 0, unknown = 0, gone = 0;
   int left = settings.show;
@@ -135,7 +135,7 @@ std::size_t compare(const Family& family, const Digests& computed, const Digests
   return differing + gone;
 }
 
-/// Writes or checks one family; the number of differences.
+/// Writes or checks one family. Returns the number of differences.
 std::size_t run(Family family, const Settings& settings) {
   if (!settings.wants(family.name)) return 0;
   if (family.inputs.empty()) {

@@ -1,4 +1,4 @@
-// Hostile cases: alone, large, and side by side.
+// Hostile cases: alone, large, and in crowds.
 #include <oblast/domain.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using generators::HostileGenerator, generators::Operands, generators::Random;
 
-/// Of a large case, so that it takes seconds.
+/// The number of edges of a large case, which takes seconds.
 constexpr int most_edges = 4000;
 
 std::string numbered(const HostileGenerator& generator, std::uint64_t number) {
@@ -25,7 +25,7 @@ std::string numbered(const HostileGenerator& generator, std::uint64_t number) {
   return generator.name + std::string(digits);
 }
 
-/// From 8 edges to what is usual of the generator.
+/// From 8 edges to the usual size of the generator.
 Operands usual_case(const HostileGenerator& generator, std::uint64_t seed) {
   return generator.make(seed, Random(seed ^ 0x517eu).between(8, generator.usual));
 }
@@ -64,7 +64,7 @@ Operands crowd(std::span<const HostileGenerator> of, std::uint64_t seed, int cas
   return crowd;
 }
 
-/// Cases of all magnitudes have no room for others beside them.
+/// Cases with all magnitudes leave no room for others beside them.
 bool may_be_in_a_crowd(const HostileGenerator& generator) {
   return generator.name != std::string_view("magnitudes") && generator.name != std::string_view("far_from_origin");
 }

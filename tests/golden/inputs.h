@@ -1,8 +1,8 @@
 // The inputs whose results have golden digests, by family. Each family is one file of digests.
 //
-// Inputs are the same on every machine: generators use + - * / and sqrt only (and nextafter, ldexp, floor, which are
-// exact), numbers are read by std::from_chars, which rounds correctly. Each input has a digest of its own, so that one
-// that does differ is not taken for a result that differs.
+// Inputs are the same on every machine: generators use only + - * / and sqrt (and nextafter, ldexp, floor, which are
+// exact), and std::from_chars reads numbers with correct rounding. Each input has a digest, too. So a different input
+// is not mistaken for a different result.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct Input {
 struct Family {
   const char* name;
   const char* what;   ///< one sentence
-  bool side_by_side;  ///< inputs are small: each on one thread, many at a time
+  bool side_by_side;  ///< inputs are small: each on one thread, many in parallel
   std::vector<Input> inputs;
 };
 
@@ -30,13 +30,13 @@ struct Family {
 Family hostile();
 /// Hull, layers and triangulation of hostile cases.
 Family other_functions();
-/// Hostile cases of thousands of edges, and hostile cases side by side: above the thresholds of the library's own.
+/// Hostile cases with thousands of edges, and hostile cases in crowds: above the thresholds of the library.
 Family large();
-/// The fires of each month, of all, and a twentieth of them under several rules.
+/// The fires of each month, of all months, and a twentieth of them with several fill rules.
 Family fires();
-/// Every case of every corpus below `folder`. Nothing where there is no such folder.
+/// Every case of every corpus in `folder`. Nothing if there is no such folder.
 Family corpora(const std::filesystem::path& folder);
-/// Every GeoJSON file in `folder`, and some pairs of them. Nothing where there is no such folder.
+/// Every GeoJSON file in `folder`, and some pairs of them. Nothing if there is no such folder.
 Family layers(const std::filesystem::path& folder);
 
 }  // namespace oblast::golden

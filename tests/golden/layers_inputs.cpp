@@ -1,4 +1,4 @@
-// Real layers, from GeoJSON; without GDAL, so that it runs where there is none.
+// Real layers, from GeoJSON. Does not need GDAL.
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Calls of the library, and the digests of what they give. An error is a result as well: its code is.
+// Calls the library, and computes the digests of the results. An error is a result, too: its code.
 #include "golden/results.h"
 
 #include <oblast/error.h>
@@ -33,7 +33,7 @@ void add(Digest& digest, const Triangulation& mesh) {
   }
 }
 
-/// Calls `compute`, which adds to the digest what it gets.
+/// Calls `compute`, which adds its result to the digest.
 template <class Compute>
 void attempt(Digest& digest, const Compute& compute) {
   try {

@@ -1,4 +1,4 @@
-// What is computed of an input, and put into its digests.
+// The results of an input that its digests include.
 #pragma once
 
 #include <oblast/options.h>
@@ -14,7 +14,7 @@ namespace oblast::golden {
 
 /// All four operations on A and B.
 InputAndResult four_operations(const RegionView& a, const RegionView& b, const Options& options);
-/// A op B op C ...; the union of A where there is nothing else.
+/// A op B op C ...; the union of A if it is the only operand.
 InputAndResult folded(std::span<const RegionSet> operands, Operation operation, const Options& options);
 /// The union of A under each rule.
 InputAndResult unions(const RegionView& a, std::initializer_list<FillRule> rules);

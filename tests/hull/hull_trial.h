@@ -11,7 +11,7 @@ namespace oblast::tests {
 /// By the monotone chain.
 std::vector<Point> chain_hull(const std::vector<Point>& points);
 
-/// Empty when Lee's scan itself, and `oblast::hull`, give the monotone chain's corners; else what is wrong.
+/// Empty if Lee's scan and `oblast::hull` give the same corners as the monotone chain; otherwise the fault.
 /// `ring`: simple, no repeated neighbours.
 std::string compare_hulls(const std::vector<Point>& ring);
 

@@ -58,7 +58,7 @@ std::vector<Point> star(Random& random, int n) {
   std::vector<Point> ring;
   for (const double a : angles) {
     const Point p = polar(a, random.in(inner, 1));
-    // Strictly left of the ray before it, so that rounding cannot make the contour cross itself.
+    // Strictly left of the previous ray, so rounding cannot make the contour cross itself.
     if (ring.empty() || (exact::orientation({0, 0}, ring.back(), p) > 0)) ring.push_back(p);
   }
   while (ring.size() >= 3 && exact::orientation({0, 0}, ring.back(), ring[0]) <= 0) ring.pop_back();

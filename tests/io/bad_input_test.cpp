@@ -1,4 +1,4 @@
-// Input that is no polygon layer, or a broken one: a message that says where, nothing on standard error.
+// Input that is not a polygon layer, or a broken one: a message with the place, and no output on standard error.
 #include <filesystem>
 
 #include "io_support.h"

@@ -1,4 +1,4 @@
-// From a place in the arrays back to file, feature, part, ring and vertex.
+// Converts a place in the arrays to file, feature, part, ring and vertex.
 #include <gtest/gtest.h>
 
 #include "io/layer.h"

@@ -1,4 +1,4 @@
-// What the tests of reading and writing share: a folder of their own, files made by hand, awkward polygons.
+// Helpers of the tests of reading and writing: a temporary folder, hand-made files, unusual polygons.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 namespace oblast::io {
 
-/// A folder that lives as long as the test.
+/// A folder that exists as long as the test runs.
 class FolderTest : public ::testing::Test {
  protected:
   FolderTest();
@@ -34,7 +34,7 @@ class FolderTest : public ::testing::Test {
 
 Layer read_file(const std::string& path, const ReadOptions& options = {});
 
-/// The message of the IoError that reading throws; empty when it throws none.
+/// The message of the IoError that reading throws; empty if it throws none.
 std::string read_error(const std::string& path, const ReadOptions& options = {});
 std::string write_error(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
 

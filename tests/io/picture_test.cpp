@@ -1,4 +1,4 @@
-// Pictures: well-formed, complete in what they say, and small whatever goes in.
+// Pictures are well-formed, complete, and small for any input.
 #include "io/picture.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ void append(RegionSet& to, const RegionSet& one) {
   to.polygon_ends.push_back(static_cast<std::uint32_t>(to.contour_ends.size()));
 }
 
-// Every opened element is closed in its order: enough of XML for what the writer makes.
+// Checks that elements are properly nested, which is enough XML for this writer.
 bool well_formed(const std::string& svg) {
   std::vector<std::string> open;
   for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {

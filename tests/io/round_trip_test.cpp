@@ -1,4 +1,4 @@
-// What is written reads back: the same polygons in the same order with the same bits, in every format.
+// A written file reads back with the same polygons in the same order and the same bits, in every format.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -118,7 +118,7 @@ TEST_F(WrittenFiles, GeoJsonIsShortAndClosed) {
 
 TEST_F(WrittenFiles, GeoJsonNeedsACodeForItsCoordinateSystem) {
   WriteOptions options;
-  options.crs_wkt = R"(PROJCS["Home",GEOGCS["Bessel","DATUM"],PROJECTION["Albers"]])";  // not even a coordinate system
+  options.crs_wkt = R"(PROJCS["Home",GEOGCS["Bessel","DATUM"],PROJECTION["Albers"]])";  // not a valid coordinate system
   EXPECT_NE(write_error(path("a.geojson"), one_triangle(), options), "");
   EXPECT_FALSE(exists("a.geojson"));
 }

@@ -1,4 +1,4 @@
-// Well-Known Text: what is admitted, what is counted, what is refused and where the message points.
+// Well-Known Text: what is accepted, counted and refused, and the place in the message.
 #include <string>
 
 #include "io_support.h"

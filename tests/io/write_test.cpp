@@ -1,4 +1,4 @@
-// Writing is all or nothing: what is refused beforehand, what is left behind after a failure.
+// A file is written completely or not at all: what is refused before, and what remains after a failure.
 #include <unistd.h>
 
 #include <filesystem>
@@ -43,7 +43,7 @@ TEST_P(Writing, FullDiskLeavesTheOldFileUntouched) {
   std::vector<std::string> before;
   for (const std::string& entry : names_before) before.push_back(contents(entry));
   const RegionSet large = scattered(20000, 4);
-  // From the first bytes to the last: the failure must be noticed wherever it happens.
+  // From the first to the last byte: the failure must be detected at any point.
   for (const rlim_t bytes : {1000, 100000, 180000, 500000}) {
     const test::FullDisk disk(bytes);
     const std::string error = write_error(out(), large, overwrite);

@@ -1,4 +1,4 @@
-// Options and enumerators out of range are refused by name, by every function that takes them.
+// Every function that takes options and enumerators refuses values out of range, and names them.
 #include <gtest/gtest.h>
 #include <oblast/classics.h>
 #include <oblast/hull.h>
@@ -18,7 +18,7 @@ namespace {
 
 const RegionSet square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {4}, {1}};
 
-/// The message; empty where nothing, or something else, was thrown.
+/// The message; empty if nothing or a different exception was thrown.
 std::string refusal(const std::function<void()>& call) {
   try {
     call();

@@ -1,5 +1,5 @@
-// Whatever floating-point environment a caller has, every public function gives the bytes of the usual one, and leaves
-// the environment as it was: on the caller's thread, on others that work for it, and where it throws.
+// In any floating-point environment of the caller, every public function gives the same bytes, and restores the
+// environment: on the caller's thread, on other threads that work for it, and if it throws.
 #include "base/floating_point.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(FloatingPoint, noModeChangesABitOnSeveralThreads) {
   expect_the_same_in_all_modes(generators::earth_degrees(4, 6000), "rotated pixels", options);
 }
 
-/// Threads of the pool come to work with modes that somebody left there.
+/// Threads of the pool begin with modes that other code has left there.
 class ModesOfThePool : public tbb::task_scheduler_observer {
  public:
   explicit ModesOfThePool(const Modes& modes) : modes_(modes) { observe(true); }
@@ -122,7 +122,7 @@ TEST(FloatingPoint, theCallersFunctionRunsInTheCallersModes) {
   }
 }
 
-// A call made from the callback, whose modes are not the default, is guarded too.
+// A call from the callback, whose modes are not the default, is protected, too.
 TEST(FloatingPoint, aCallFromTheCallersFunctionIsRight) {
   const generators::Operands operands = generators::coverages(4, 20000);
   const generators::Operands inner = generators::stars(3, 60);

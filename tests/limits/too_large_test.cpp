@@ -1,5 +1,5 @@
-// More vertices than a call takes are refused by their number alone, before anything is read; as many as it takes are
-// not.
+// If there are more vertices than a call allows, the number alone is refused, before anything is read. The largest
+// allowed number is not refused.
 #include <gtest/gtest.h>
 #include <oblast/classics.h>
 #include <oblast/hull.h>
@@ -33,7 +33,8 @@ ErrorCode code_of(const Call& call) {
   return error ? error->code() : ErrorCode::cancelled;
 }
 
-// The offsets are wrong, so what is not too large is refused for these, once its size has passed.
+// The offsets are wrong. So input that is not too large passes the check of its size, and is then refused for its
+// offsets.
 constexpr std::uint32_t wrong_end = 0;
 
 RegionView with_wrong_offsets(std::span<const Point> points) { return {points, {&wrong_end, 1}, {}}; }

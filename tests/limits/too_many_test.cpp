@@ -1,4 +1,4 @@
-// What grows beyond 32-bit indices is refused, wherever it may: in builds whose limits are low (base/index_limits.h).
+// Everything that grows beyond 32-bit indices is refused. For builds with low limits (base/index_limits.h).
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 #include <oblast/triangulate.h>
@@ -18,7 +18,7 @@ namespace {
 
 using noding::Strands;
 
-/// What there are too many of, as the message says; empty where nothing was refused.
+/// What there are too many of, according to the message; empty if nothing was refused.
 std::string too_many(const std::function<void()>& call) {
   try {
     call();
@@ -39,7 +39,7 @@ class TooMany : public ::testing::Test {
   }
 };
 
-/// One path, to and fro, whose edges do not meet.
+/// One path, back and forth, whose edges do not meet.
 Strands zigzag(std::size_t vertices) {
   Strands strands;
   for (std::size_t i = 0; i < vertices; ++i) strands.points.push_back({static_cast<double>(i), i % 2 ? 1.0 : 0.0});
@@ -77,7 +77,7 @@ TEST_F(TooMany, cuts) {
             more_than(most_indices, "cuts"));
 }
 
-// Where every second edge is repeated, what is left of a path are strands of one edge.
+// If every second edge is repeated, the rest of a path consists of strands with one edge.
 TEST_F(TooMany, strandsThatRepeatedEdgesLeave) {
   Strands strands = zigzag(most_indices - 2);
   strands.close_strand({1, 0}, noding::any_group);

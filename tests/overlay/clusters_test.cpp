@@ -112,7 +112,7 @@ TEST(Clusters, aCancelledOverlayOfPartsLeavesTheNextOneAlone) {
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::cancelled);
     }
-    EXPECT_EQ(asked, allowed + 1);  // once refused it is not asked again
+    EXPECT_EQ(asked, allowed + 1);  // after it has returned false it is not called again
   }
   EXPECT_EQ(overlay(all.a, all.b, Operation::unite), expected);
 }

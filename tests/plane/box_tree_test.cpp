@@ -1,4 +1,4 @@
-// A tree of boxes that change, against a look at each of them.
+// A tree of changing boxes, compared with brute force.
 #include "plane/box_tree.h"
 
 #include <gtest/gtest.h>

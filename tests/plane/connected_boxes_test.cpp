@@ -1,4 +1,4 @@
-// Connected boxes against brute force, and where they lie upon each other without meeting.
+// Connected boxes, compared with brute force, and crowded boxes that do not meet.
 #include "plane/connected_boxes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which boxes hold points of others, against a look at every pair.
+// Boxes that contain points of others, compared with brute force.
 #include "plane/enclosing_boxes.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(EnclosingBoxes, mayBePointsOrLieInOneLine) {
 }
 
 TEST(EnclosingBoxes, thatCoverEachOtherAllCount) {
-  // One in another, a thousand deep: to look at every pair would take a million looks.
+  // Nested boxes, a thousand deep: testing every pair would take a million comparisons.
   Boxes nested;
   for (int i = 0; i < 1000; ++i) nested.add(-i, -i, 2 * i + 1, 2 * i + 1);
   const Enclosure found = find_enclosing(nested.boxes, nested.points);

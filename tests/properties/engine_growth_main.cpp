@@ -26,7 +26,7 @@ void add(RegionSet& set, const std::vector<Point>& ring) {
   set.polygon_ends.push_back(static_cast<std::uint32_t>(set.contour_ends.size()));
 }
 
-/// Around the origin, with five large waves and a wiggle at every vertex.
+/// Around the origin, with five large waves and a random deviation at every vertex.
 RegionSet star(std::size_t edges, double turn, std::uint64_t seed) {
   Random random(seed);
   std::vector<Point> ring;
@@ -41,7 +41,7 @@ RegionSet star(std::size_t edges, double turn, std::uint64_t seed) {
   return set;
 }
 
-/// Tilted squares in a larger one, so large that there are about as many meetings as edges whatever their number.
+/// Tilted squares in a larger one, whose size gives about as many meetings as edges for any number of squares.
 RegionSet squares(std::size_t edges, std::uint64_t seed) {
   Random random(seed);
   RegionSet set;

@@ -1,10 +1,10 @@
-// Growth on adversarial families: time and memory of a union at n, 2n, 4n, 8n edges, per (n + k) log (n + k), against
-// the first. Each measurement has a process of its own, so that its peak memory is its own.
+// Growth on adversarial families: time and memory of a union at n, 2n, 4n and 8n edges, per (n + k) log (n + k),
+// relative to the first size. Each measurement has a separate process, so its peak memory is measured separately.
 //
 //   oblast_growth [--edges N] [--steps S] [FAMILY...]
 //
-// Most families are united; hatch and needles are intersected, as A and B. For needles, which have far more meetings
-// than edges, a size stands for its square.
+// Most families are united. For hatch and needles, A and B are intersected. Needles have far more meetings than edges,
+// so for them a size counts as its square.
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 #include <sys/resource.h>
@@ -40,7 +40,7 @@ Point on_circle(double radius, double turns) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Thin quadrilaterals side by side, a thousand times as long as all together are wide.
+/// Thin quadrilaterals side by side, a thousand times longer than their total width.
 RegionSet long_slabs(std::size_t edges) {
   const std::size_t n = edges / 4;
   RegionSet s;
@@ -179,7 +179,7 @@ RegionSet bursts(std::size_t edges) {
 }
 
 /// Triangles of sizes from 2^-20 to 2^20, at distances from the origin as large as they are: a few at each size reach
-/// each other. All in one input, so that the largest coordinate says nothing about most of it.
+/// each other. All are in one input, so the largest coordinate says nothing about most of it.
 RegionSet mixed_magnitudes(std::size_t edges) {
   Random random(7);
   RegionSet s;
@@ -237,7 +237,7 @@ double peak_bytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
-/// The quickest of a few runs.
+/// The fastest of a few runs.
 Measured measure_here(const Family& family, std::size_t edges) {
   const auto [a, b] = family.operands(edges);
   const Operation operation = family.make ? Operation::unite : Operation::intersection;

@@ -5,11 +5,11 @@
 //   oblast_hostile --cases 10000 --recompute --largest 16        every arrangement recomputed by exact integers
 //   oblast_hostile --cases 50000 --first-seed 50001 --markdown   a later slice, as rows of a table
 //
-// Each case is judged alone, with others far away, and in a crowd of about 950 cases of all generators, side by side:
-// those of 50 seeds that follow one another. A failure in a crowd names the crowd's seed: the crowd again is
+// Each case is judged alone, with others far away, and in a crowd of about 950 cases of all generators side by side:
+// the cases of 50 consecutive seeds. A failure in a crowd names the seed of the crowd. This runs the crowd again:
 //   oblast_hostile --first-seed SEED --cases 50
 //
-// The exit code is 1 when a case failed; failing cases are made smaller and printed as WKT.
+// The exit code is 1 if a case failed. Failing cases are made smaller and printed as WKT.
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,7 @@ void show_operands(const FailedCase& failed, const Failure& failure, const Opera
              to_text(failed.request), soup_to_wkt(operands.a), soup_to_wkt(operands.b));
 }
 
-// The case and the squares together, for as long as they are not the overlays of what hangs together.
+// The case and the squares together, while their overlay differs from the overlays of the connected parts.
 void show_far(const FailedCase& failed) {
   const Options options = options_of(failed.request);
   const auto fails = [&](const Operands& o) { return !is_local(o, failed.failure.operation, options); };

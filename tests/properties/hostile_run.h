@@ -13,7 +13,7 @@ struct HostileSettings {
   std::uint64_t cases = 1000;  ///< of every generator
   std::uint64_t first_seed = 1;
   int smallest = 8;        ///< edges
-  int largest = 0;         ///< edges; 0: what is usual of the generator
+  int largest = 0;         ///< edges; 0: the usual size of the generator
   int large = 1000;        ///< one of so many cases has up to HostileGenerator::largest edges; 0: none
   int threads = 0;         ///< 0: all cores
   bool against = true;     ///< ask verify::check_against in every case, not in one of 256 small ones
@@ -38,7 +38,7 @@ struct HostileRow {
 struct FailedCase {
   const HostileGenerator* generator;
   std::uint64_t seed;
-  Operands operands;  ///< as the generator made them; none where it threw
+  Operands operands;  ///< as the generator made them; none if it threw
   Request request;    ///< that of the case alone
   Failure failure;
 };

@@ -1,5 +1,5 @@
-// A slice of the hostile cases: every generator, all four operations, every promise a trial checks; alone, with others
-// far away, and in crowds. oblast_hostile runs as many as one likes.
+// A slice of the hostile cases: every generator, all four operations, every promise that a trial checks; alone, with
+// others far away, and in crowds. oblast_hostile runs any number of cases.
 #include "generators/hostile.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST_P(Hostile, smallCasesKeepThePromises) { run_cases(GetParam(), 1000, 8, std:
 // exactly.
 TEST_P(Hostile, tinyCasesAreWhatExactArithmeticSays) { run_cases(GetParam(), 40, 8, 14, Recompute::always); }
 
-// Large enough for the searches to split space, and for many edges to straddle the splits.
+// Large enough that the searches divide the plane, and that many edges cross the divisions.
 TEST_P(Hostile, largerCasesKeepThePromises) { run_cases(GetParam(), 4, GetParam().larger / 2, GetParam().larger); }
 
 // Each case as above, and in crowds of 950 of all generators.
@@ -64,7 +64,7 @@ TEST(HostileCrowds, casesKeepTheirBytesInCompany) {
   HostileSettings settings;
   settings.first_seed = 20001;
   settings.cases = 200;
-  settings.against = false;  // asked by oblast_hostile
+  settings.against = false;  // oblast_hostile does this
   settings.show = 0;
   const std::vector<HostileRow> rows = run_hostile(settings, [](const FailedCase& failed) {
     ADD_FAILURE() << failed.generator->name << " "

@@ -1,4 +1,4 @@
-// Properties of overlays on small integer grids, where everything coincides: promises G1 to G4.
+// Properties of overlays on small integer grids, on which everything coincides: promises G1 to G4.
 //
 // RapidCheck draws the operands and shrinks what fails; the checker decides by exact rationals.
 #include <gtest/gtest.h>
@@ -72,12 +72,12 @@ Operation draw_operation() {
                            Operation::symmetric_difference);
 }
 
-// A thousand cases of each property, unless RC_PARAMS asks for something else. RapidCheck reads it at the first.
+// A thousand cases of each property, unless RC_PARAMS sets another number. RapidCheck reads it at the first property.
 [[maybe_unused]] const int many_cases = setenv("RC_PARAMS", "max_success=1000", 0);
 
 int draw_extent() { return *rc::gen::inRange(2, 7); }
 
-// Fails with the fault and what was asked for.
+// Fails with the fault and the call.
 void expect_none(const std::optional<verify::Fault>& fault, Operation operation, const Options& options) {
   if (!fault) return;
   const generators::Request request{options.fill_a, options.fill_b, options.contours, options.collinear};

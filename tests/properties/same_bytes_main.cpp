@@ -1,5 +1,6 @@
-// The same bytes, on real files: a union with its polygons shuffled, its contours reversed and rotated as far as the
-// fill rule allows, on 1, 2 and 8 threads, by every engine asked for, and united again.
+// Checks on real files that a union has the same bytes if its polygons are shuffled, if its contours are reversed and
+// rotated as far as the fill rule allows, on 1, 2 and 8 threads, with every requested engine, and if it is united
+// again.
 //
 //   oblast_same_bytes [--engines] FILE_OR_FOLDER...
 #include <fmt/format.h>

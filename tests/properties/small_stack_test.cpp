@@ -1,4 +1,4 @@
-// No recursion whose depth grows with the data: a million vertices on a stack of 256 KiB, every engine.
+// No recursion has a depth that grows with the data: every engine runs a million vertices on a stack of 256 KiB.
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 #include <pthread.h>
@@ -61,7 +61,7 @@ RegionSet spiral(std::size_t n) {
   return s;
 }
 
-/// Every other one a hole: as deep as nesting gets.
+/// Every other square is a hole: the deepest possible nesting.
 RegionSet nested_squares(std::size_t n) {
   RegionSet s;
   for (std::size_t i = n; i > 0; --i) {

@@ -1,4 +1,4 @@
-// Points of any type into a region set, and what is refused.
+// Builds region sets from points of any type, and tests refused input.
 #include <gtest/gtest.h>
 #include <oblast/region_builder.h>
 

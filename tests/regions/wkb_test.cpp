@@ -1,4 +1,4 @@
-// Well-Known Binary: what is written reads back, and no bytes whatever make the reader do more than refuse them.
+// Well-Known Binary: written bytes read back, and any other bytes are refused without harm.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 #include <oblast/wkb.h>
@@ -51,7 +51,7 @@ class Maker {
   bool little_;
 };
 
-/// From a block of exactly that size, so that the address sanitizer sees what is read past it.
+/// Reads from a block of exactly that size, so the address sanitizer detects reads past its end.
 RegionSet read(const Bytes& bytes) {
   const auto block = std::make_unique<std::byte[]>(bytes.size());
   std::copy(bytes.begin(), bytes.end(), block.get());

@@ -1,4 +1,4 @@
-// Well-Known Text: what is written reads back to the same bits, and what is no text of polygons is refused.
+// Well-Known Text: written text reads back to the same bits, and text of anything other than polygons is refused.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 #include <oblast/wkt.h>
@@ -14,7 +14,7 @@ namespace {
 
 using verify::regions_of;
 
-/// From a block of exactly that size, so that the address sanitizer sees what is read past it.
+/// Reads from a block of exactly that size, so the address sanitizer detects reads past its end.
 RegionSet read(std::string_view text) {
   const auto block = std::make_unique<char[]>(text.size());
   std::copy(text.begin(), text.end(), block.get());

@@ -1,4 +1,4 @@
-// Walks: they close, take every selected chain once, and part or do not part where the result touches itself.
+// Walks close, use every selected chain once, and are divided (or not) where the result touches itself.
 #include "result/link.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Link, closesEveryWalkOfHostileInput) {
       const Linked hugging = linked_of(operands.a, operands.b, operation, options);
       expect_linked(hugging, options.contours);
       if (HasFatalFailure()) return;
-      // One contour a walk; under ogc the same walks are parted.
+      // One contour per walk. With ogc the same walks are divided.
       EXPECT_EQ(hugging.contours.ends.size(), hugging.contours.walk_count);
       EXPECT_EQ(ogc.contours.walk_count, hugging.contours.walk_count);
       EXPECT_GE(ogc.contours.ends.size(), hugging.contours.ends.size());

@@ -61,7 +61,7 @@ void expect_nested(const Linked& l) {
 }
 
 TEST(Nesting, ofRingsInRings) {
-  // Towers of squares, alternately filled and empty, several side by side and inside one another.
+  // Towers of squares, alternately filled and empty, several beside and inside each other.
   generators::Random random(1);
   RegionSet set;
   const auto add_tower = [&](double x, double y, double radius, int floors) {
@@ -99,7 +99,7 @@ TEST(Nesting, ofRandomHoles) {
     options.fill_b = FillRule::even_odd();
     options.contours = ContourConvention::ogc;
     const Linked l = linked_of(a, b, Operation::difference, options);
-    // Under even_odd rings touch at crossings: compare only where none does.
+    // With even_odd, rings touch at crossings. Compare only results in which no ring touches another.
     if (std::any_of(l.rings.flags.begin(), l.rings.flags.end(), [](auto f) { return (f & touch_vertex) != 0; })) {
       options.fill_b = FillRule::polygons();
       expect_nested(linked_of(a, b, Operation::difference, options));
@@ -123,7 +123,7 @@ TEST(Nesting, ofRingsThatTouch) {
   using Sizes = std::vector<std::size_t>;
   EXPECT_EQ(polygons_of({square, "2 0, 3 2, 1 2", Operation::difference}), (Sizes{2}));  // hole at the outer ring
   EXPECT_EQ(polygons_of({square, "1 1, 2 1, 2 2, 1 2 | 2 2, 3 2, 3 3, 2 3", Operation::difference}), (Sizes{3}));
-  // Two holes with one smallest vertex, a walk by themselves: what lies below the lower one counts.
+  // Two holes with the same smallest vertex, in a separate walk: the chain below the lower one counts.
   EXPECT_EQ(polygons_of({square, "1 2, 3 2.5, 3 3 | 1 2, 3 1, 3 1.5", Operation::difference}), (Sizes{3}));
   EXPECT_EQ(polygons_of({square, "1 2, 3 1, 3 1.5 | 1 2, 3 2.5, 3 3", Operation::difference}), (Sizes{3}));
   EXPECT_EQ(polygons_of({square, "4 4, 6 4, 6 6, 4 6", Operation::unite}), (Sizes{1, 1}));

@@ -40,7 +40,7 @@ void expect_points(const Rings& rings, const std::string& text) {
 TEST(RemoveTraces, takesThemOut) {
   expect_points(remove_traces(rings_of("0 0, 2 0.5, 6 3.5, 8 4, 0 4", {1, 2}), CollinearVertices::keep),
                 "0 0, 8 4, 0 4");
-  // Also where a ring begins with them.
+  // Also if a ring begins with them.
   expect_points(remove_traces(rings_of("6 3.5, 8 4, 0 4, 0 0, 2 0.5", {0, 4}), CollinearVertices::keep),
                 "8 4, 0 4, 0 0");
 }
@@ -151,7 +151,7 @@ TEST(RemoveTraces, takesManyOutOfOneEdgeAlthoughOneMustStay) {
 TEST(RemoveTraces, dropsCollinearVerticesWhenTold) {
   const Rings rings = rings_of("0 0, 1 0, 2 0, 4 0, 4 4, 0 4", {});
   expect_points(remove_traces(rings, CollinearVertices::drop), "0 0, 4 0, 4 4, 0 4");
-  // Not where contours touch, nor where there is the slightest turn.
+  // Not at vertices where contours touch, nor at the slightest turn.
   expect_points(remove_traces(rings_of("0 0, 1 0, 2 0, 4 0, 4 4, 0 4", {2}, touch_vertex), CollinearVertices::drop),
                 "0 0, 2 0, 4 0, 4 4, 0 4");
   expect_points(remove_traces(rings_of("0 0, 2 1e-300, 4 0, 4 4, 0 4", {}), CollinearVertices::drop),

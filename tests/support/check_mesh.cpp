@@ -102,7 +102,7 @@ Integer doubled_area(const RegionSet& regions, const std::vector<IntegerPoint>& 
   return sum;
 }
 
-/// The public arrays as a mesh, with ghosts, so that the same checks apply.
+/// The public arrays as a mesh, with ghosts, for the same checks.
 Mesh to_mesh(const Triangulation& t) {
   Mesh m;
   m.points.assign(t.points.begin(), t.points.end());

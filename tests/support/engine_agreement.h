@@ -13,10 +13,10 @@
 
 namespace oblast::testing {
 
-/// What is asked of the engines.
+/// The call that all engines make.
 struct Question {
   Operation operation = Operation::unite;
-  Options options;  ///< `engine` is not looked at
+  Options options;  ///< `engine` is ignored
 };
 
 /// In words: "difference, evenodd and polygons, ogc".

@@ -1,4 +1,4 @@
-// Every public function of the library on the same operands, for what is to hold of all of them.
+// Every public function of the library on the same operands, for tests of properties that all must have.
 #pragma once
 
 #include <oblast/options.h>

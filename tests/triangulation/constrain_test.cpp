@@ -1,4 +1,4 @@
-// Constraints in triangulations: hand-made pockets, random ones, and what is refused.
+// Constraints in triangulations: hand-made pockets, random pockets, and refused input.
 #include "triangulation/constrain.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The public triangulation: what it holds, and on hostile input that it is right, exactly.
+// The public triangulation: its contents, and an exact check on hostile input.
 #include <gtest/gtest.h>
 #include <oblast/overlay.h>
 #include <oblast/triangulate.h>

@@ -32,7 +32,7 @@ OracleOptions few(std::uint64_t points = 2'000, std::uint32_t lines = 40) {
   return options;
 }
 
-// What the oracle says of the answer to a question; "" where it finds nothing.
+// The message of the oracle for a result; "" if it finds no fault.
 struct Asked {
   RegionSet a, b;
   Operation operation = Operation::unite;
@@ -95,7 +95,7 @@ TEST(Oracle, ReadsFillRules) {
   }
 }
 
-// A turned square on another, so that crossings are no doubles, and a hole where neither is.
+// A rotated square on another one, whose crossings are not doubles, and a hole outside both.
 Asked thirds() {
   return {regions_of("0 0, 10 0, 10 10, 0 10; 1 1, 1 3, 3 3, 3 1"), regions_of("5 -1, 11.1 5.3, 4.7 11.9, 3.3 4.9"),
           Operation::unite};

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint32_t range_size = tuning::labelled_nodes_a_range;
 
-/// A chain that ends in one range and begins in another: its right side as the piece at its end has it.
+/// A chain that ends in one range and begins in another, with its right side relative to the piece at its end.
 struct Border {
   std::uint32_t chain;
-  std::uint32_t piece;  ///< of the node where it ends
+  std::uint32_t piece;  ///< the piece of the node where the chain ends
   Winding right;
 };
 
@@ -33,7 +33,7 @@ class RangeLabelling {
       if (labels_.component[node] != none || graph_.list(node).empty()) continue;
       labels_.component[node] = pieces;
       label_around(node, graph_.list(node)[0], {});
-      // First in, first out: what is at hand soon is known long enough before to be fetched.
+      // First in, first out: the next nodes are known early enough to be prefetched.
       for (std::size_t i = 0; i < pending_count_; ++i) {
         fetch_ahead(i);
         const Descriptor known = pending_[i];
@@ -47,7 +47,7 @@ class RangeLabelling {
   }
 
   std::uint32_t pieces = 0;
-  Array<Border> borders;  ///< with pieces counted from this range's first
+  Array<Border> borders;  ///< their pieces are counted from the first one of this range
 
  private:
   bool is_here(std::uint32_t node) const { return begin_ <= node && node < end_; }
@@ -62,13 +62,13 @@ class RangeLabelling {
         fetch(&graph_.chains[chain_of(d)]);
   }
 
-  /// Rule 2.2: goes around a node from a descriptor, given the winding numbers right of it as it leaves the node. Rule
-  /// 2.1: on to nodes not seen yet. A chain's label is written where it begins. Which way chains run and what was seen
-  /// is hard to foresee: so there are no branches for it.
+  /// Rule 2.2: goes around a node, starting at a descriptor with known winding numbers on its right (as it leaves the
+  /// node). Rule 2.1: continues to nodes not seen yet. The label of a chain is written at its beginning. The processor
+  /// cannot predict which way chains run and which nodes were seen. So there are no branches for these.
   void label_around(std::uint32_t node, Descriptor known, Winding right_of_known) {
     const auto list = graph_.list(node);
     const std::uint32_t piece = labels_.component[node];
-    // Right of the first descriptor, as everything around the node adds up to nothing.
+    // The sector right of the first descriptor, because the changes around the node sum to zero.
     Winding sector, first_sector;
     for (const Descriptor d : list) {
       first_sector = d == known ? right_of_known - sector : first_sector;
@@ -99,11 +99,11 @@ class RangeLabelling {
   const ChainGraph& graph_;
   std::uint32_t begin_, end_;
   RelativeLabels& labels_;
-  LargeArray<Descriptor> pending_;  ///< each node at most once, and one more that is not counted
+  LargeArray<Descriptor> pending_;  ///< has each node at most once, and one more element, which is not counted
   std::size_t pending_count_ = 0;
 };
 
-/// Disjoint sets of pieces that know what is to be added to the labels of a piece for those of its root.
+/// Disjoint sets of pieces. For each piece it stores the difference between the labels of its root and its own.
 class PieceSets {
  public:
   explicit PieceSets(std::uint32_t size) : parent_(size), offset_(size) {
@@ -124,7 +124,7 @@ class PieceSets {
     return {piece, offset};
   }
 
-  /// Labels of q plus `difference` are labels of p.
+  /// Unites two sets. The labels of q plus `difference` are labels of p.
   void unite(std::uint32_t p, std::uint32_t q, Winding difference) {
     const auto [p_root, p_offset] = find(p);
     const auto [q_root, q_offset] = find(q);
@@ -143,7 +143,7 @@ class PieceSets {
   Array<Winding> offset_;
 };
 
-/// Makes components of pieces. `first_piece`: by range.
+/// Joins pieces to components. `first_piece`: by range.
 void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, const Array<std::uint32_t>& first_piece,
                  std::uint32_t piece_count, RelativeLabels& labels) {
   const auto piece_of = [&](std::uint32_t node) { return labels.component[node] + first_piece[node / range_size]; };
@@ -162,7 +162,7 @@ void join_pieces(const ChainGraph& graph, const Array<Array<Border>>& borders, c
   Array<Place> places(piece_count);
   for (std::uint32_t piece = 0; piece < piece_count; ++piece) {
     const auto [root, offset] = sets.find(piece);
-    // The root is the smallest of its set, so it has its place before the others.
+    // The root is the smallest element of its set, so its place is known before those of the others.
     places[piece] = {root == piece ? labels.component_count++ : places[root].component, offset};
   }
   for_ranges(graph.chains.size(), tuning::labelled_elements_a_task, [&](std::size_t begin, std::size_t end) {

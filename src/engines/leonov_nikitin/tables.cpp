@@ -1,5 +1,5 @@
-// The proof that Tables 2 and 3 follow from the truth table that stage 4 asks: every entry, by the compiler.
-// The minimal neighbourhoods of an edge (the paper's Table 1) say which regions its two sides are in.
+// The proof that Tables 2 and 3 follow from the truth table of stage 4. The compiler checks every entry.
+// The minimal neighbourhoods of an edge (the paper's Table 1) say which regions contain its two sides.
 #include "engines/leonov_nikitin/tables.h"
 
 #include "result/select.h"
@@ -27,7 +27,7 @@ constexpr Sides in_other(EdgeLabel label) {
   return {};
 }
 
-/// Stage 4: the result must be on just one side, and comes to lie on the left.
+/// Stage 4: the result must be on exactly one side of the edge; the edge is directed so that this is the left side.
 constexpr Direction by_truth_table(Operation op, EdgeLabel label, Region of) {
   const Sides other = in_other(label);
   const Sides a = of == Region::a ? in_own : other, b = of == Region::a ? other : in_own;

@@ -44,7 +44,7 @@ class Eating {
     flood(beyond, face);
   }
 
-  /// Step A: everything up to the marked sides, which become the border to step across.
+  /// Step A: floods everything up to the marked sides. These become the border for the next step.
   void flood(std::uint32_t seed, std::uint32_t face) {
     result_.face[seed] = face;
     pending_.push_back(seed);
@@ -71,7 +71,7 @@ class Eating {
   Classification result_;
   Array<std::uint32_t> pending_;
   Steps steps_;
-  Array<HalfEdge> border_;  ///< marked sides whose left has been eaten and whose right has not
+  Array<HalfEdge> border_;  ///< marked sides whose left triangle was visited and whose right one was not
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ class Walking {
     }
   }
 
-  /// The paper's step A with its rule against contours that cross themselves.
+  /// The paper's step A, with its rule against contours that cross themselves.
   HalfEdge boundary_after(HalfEdge h) const {
     HalfEdge w = next(h);
     while (!is_boundary(w)) w = mesh_.clockwise(w);
@@ -75,7 +75,7 @@ class Walking {
     emit(0, polygon);
   }
 
-  /// The walk is at `v`: when it has been here before, what lies between is a contour of its own.
+  /// The walk is at `v`. If it was here before, the vertices since then are a separate contour.
   void part_at(std::uint32_t v, std::uint32_t polygon) {
     if (const std::uint32_t place = place_on_path_[v]; place != none) {
       for (std::size_t i = place; i < path_.size(); ++i) place_on_path_[path_[i]] = none;
@@ -93,8 +93,8 @@ class Walking {
     path_.resize(begin);
   }
 
-  /// Counter-clockwise: it turns left each time it is at its smallest vertex. (A hole that touches itself
-  /// there turns right once.)
+  /// True if the contour is counter-clockwise: it turns left each time it visits its smallest vertex. (A hole that
+  /// touches itself there turns right once.)
   bool is_outer(std::span<const std::uint32_t> contour) const {
     const auto point = [&](std::size_t i) -> const Point& { return mesh_.points[contour[i]]; };
     std::size_t smallest = 0;
@@ -116,7 +116,7 @@ class Walking {
   Array<bool> walked_;            ///< by half-edge
   Array<std::uint32_t> pending_;
   Steps steps_;
-  Array<std::uint32_t> path_;           ///< vertices of the walk, as far as no contour was parted off
+  Array<std::uint32_t> path_;           ///< vertices of the walk, without contours that were separated
   Array<std::uint32_t> place_on_path_;  ///< by vertex
   Contours contours_;
 };

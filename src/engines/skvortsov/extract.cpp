@@ -18,7 +18,7 @@ Kept kept_triangles(const Classification& classes, const Array<bool>& kept_faces
   return kept;
 }
 
-/// The chains between a kept and a dropped triangle, for what the nodes have to know.
+/// The chains between a kept and a dropped triangle. They determine the kinds of the nodes.
 Selection selection_of(const ChainGraph& graph, const MarkedMesh& marked, const Kept& kept) {
   Selection selection(graph.chains.size(), none);
   for (std::uint32_t c = 0; c < graph.chains.size(); ++c) {

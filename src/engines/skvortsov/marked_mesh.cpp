@@ -11,7 +11,7 @@ namespace {
 
 using namespace triangulation;
 
-/// The edges of all live chains over points of which each is named once.
+/// The edges of all live chains, with each point stored once.
 struct Sides {
   Array<Point> points;
   Array<std::uint32_t> node;   ///< by point

@@ -1,4 +1,4 @@
-// Step 1: the triangulation whose sides know how often each operand passes along them.
+// Step 1: a triangulation whose sides store how often each operand runs along them.
 #pragma once
 
 #include "base/call_memory.h"
@@ -9,8 +9,8 @@ namespace oblast::internal::skvortsov {
 
 struct MarkedMesh {
   triangulation::Mesh mesh;
-  Array<Descriptor> mark;                     ///< by half-edge: the chain along it in its direction; none without one
-  Array<std::uint32_t> node;                  ///< by vertex: its node in the graph; none inside chains
+  Array<Descriptor> mark;     ///< by half-edge: the chain along it, in its direction; none if there is no chain
+  Array<std::uint32_t> node;  ///< by vertex: its node in the graph; none inside chains
   Array<triangulation::HalfEdge> first_side;  ///< by chain: the half-edge of its first edge; none if not live
 };
 

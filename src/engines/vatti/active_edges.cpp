@@ -36,7 +36,7 @@ Slot ActiveEdges::insert_above(Slot slot, const ActiveEdge& edge) {
   const Slot added = new_slot();
   random_ ^= random_ << 13, random_ ^= random_ >> 17, random_ ^= random_ << 5;  // Marsaglia's xorshift
   const Slot next = nodes_[slot].next;
-  // Neighbours in order are above each other in the tree: one of the two places next to them is free.
+  // Of two neighbours in the order, one is an ancestor of the other, so one of the two places between them is free.
   const bool as_right = nodes_[slot].right == none;
   const Slot parent = as_right ? slot : next;
   nodes_[added] = {edge, parent, none, none, slot, next, random_ >> 1};

@@ -1,4 +1,4 @@
-// Bounds of chains, and the stops of the scan line in order.
+// Finds the bounds of chains, and sorts the stops of the scan line.
 #include "engines/vatti/bounds.h"
 
 #include <algorithm>
@@ -11,19 +11,19 @@
 namespace oblast::internal::vatti {
 namespace {
 
-/// A bound with its stops as they were numbered when found.
+/// A bound, with the numbers that its stops had when they were found.
 struct FoundBound {
   std::uint32_t first, last, chain, start, top;
   std::uint32_t rank = 0;  ///< among the bounds of its start, in the order they were found
 };
 
-/// A stop with its place, for sorting.
+/// A stop with its point, for sorting.
 struct PlacedStop {
   Point p;
   std::uint32_t stop;
 };
 
-/// Step 1: chains to bounds. Stops of nodes have the nodes' numbers, others follow.
+/// Step 1: divides chains into bounds. Stops at nodes have the numbers of the nodes; other stops follow.
 class Finder {
  public:
   Finder(const ChainGraph& graph, std::size_t chain_count)
@@ -52,10 +52,10 @@ class Finder {
 
   Array<FoundBound>& bounds() { return bounds_; }
   Array<PlacedStop>& stops() { return stops_; }
-  std::uint32_t stop_count() const { return stop_count_; }  ///< those of dead nodes included
+  std::uint32_t stop_count() const { return stop_count_; }  ///< includes the stops of dead nodes
 
  private:
-  /// True when the edge that starts at the vertex runs to the right.
+  /// True if the edge that starts at the vertex runs to the right.
   bool is_rightward(std::uint32_t v) const { return lexicographically_less(graph_.point(v), graph_.point(v + 1)); }
 
   std::uint32_t new_stop(std::uint32_t vertex) {
@@ -84,8 +84,8 @@ class Finder {
   Array<PlacedStop> stops_;
 };
 
-/// Step 2: the stops in order, each with room for the bounds that start there.
-/// `place_of` gets, by number of a stop, its place in the order.
+/// Step 2: the sorted stops, each with room for the bounds that start there. Writes to `place_of`, for each number of a
+/// stop, its place in the order.
 Array<Stop> order_stops(Finder& found, Array<std::uint32_t>& place_of) {
   Array<PlacedStop>& placed = found.stops();
   parallel_sort(placed.begin(), placed.end(),
@@ -114,7 +114,7 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
   Bounds result;
   result.stops = order_stops(found, place_of);
 
-  // Step 3: bounds to their places.
+  // Step 3: moves bounds to their places.
   result.bounds.resize(found.bounds().size());
   for_ranges(found.bounds().size(), tuning::bounds_a_task, [&](std::size_t first, std::size_t past) {
     for (std::size_t i = first; i < past; ++i) {
@@ -131,7 +131,7 @@ Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chain
     }
   });
 
-  // Step 4: at each stop from below to above.
+  // Step 4: sorts the bounds of each stop from bottom to top.
   for_ranges(result.stop_count(), tuning::bounds_a_task, [&](std::size_t first, std::size_t past) {
     for (std::size_t s = first; s < past; ++s) {
       const auto begin = result.bounds.begin() + result.stops[s].bounds_begin;

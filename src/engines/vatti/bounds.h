@@ -1,12 +1,12 @@
 // Bounds, and the stops of the scan line.
 //
-//          ______                A chain, cut where it turns back, falls into bounds (Vatti's word), each
-//      min<      \___            lexicographically monotone. The scan line stops at every point where
-//          \___      \___        bounds start or finish: nodes of the graph, local minima and maxima
-//              \_________>max    inside chains, and the seams of closed chains.
+//          ______                A chain is divided where it turns back. The pieces are bounds (Vatti's
+//      min<      \___            word); each is lexicographically monotone. The scan line stops at every
+//          \___      \___        point at which bounds start or end: nodes of the graph, local minima and
+//              \_________>max    maxima inside chains, and the first points of closed chains.
 //
-// Both are laid out in the order in which the scan line comes to them, so that the scan reads memory
-// forwards. All that is out of order, and the sorting, is done here, in parallel.
+// Bounds and stops are stored in the order in which the scan line reaches them, so the scan reads memory forwards.
+// Sorting and random access happen here, in parallel.
 #pragma once
 
 #include <cstdint>
@@ -21,22 +21,23 @@ struct Bound {
   Point second;         ///< its second vertex
   std::uint32_t first;  ///< vertex of its smaller end
   std::uint32_t last;   ///< vertex of its larger end
-  std::uint32_t chain;  ///< which it is a part of
-  std::uint32_t top;    ///< stop where it finishes
+  std::uint32_t chain;  ///< the chain of which it is a part
+  std::uint32_t top;    ///< stop at which it ends
   Winding change;       ///< winding numbers above it minus those below
 
-  bool is_rightward() const { return first < last; }  ///< runs as its chain does
+  bool is_rightward() const { return first < last; }  ///< its chain runs to the right there
   std::uint32_t step() const { return is_rightward() ? 1U : ~0U; }
 };
 
 struct Stop {
   Point p;
-  std::uint32_t bounds_begin = 0;  ///< the first of the bounds that start here; past the last is the next stop's first
+  std::uint32_t bounds_begin =
+      0;  ///< the first of the bounds that start here; they end where those of the next stop begin
 };
 
 struct Bounds {
-  Array<Bound> bounds;  ///< by the stop where they start; at one stop from below to above
-  Array<Stop> stops;    ///< in lexicographic order, and one more behind the last
+  Array<Bound> bounds;  ///< by the stop at which they start; at one stop from bottom to top
+  Array<Stop> stops;    ///< in lexicographic order, with one more after the last one
 
   std::size_t stop_count() const { return stops.size() - 1; }
   std::span<const Bound> starting_at(std::size_t stop) const {
@@ -45,7 +46,7 @@ struct Bounds {
 };
 
 /// The bounds of the given chains. REQUIRES: the chains are live and meet only at their ends.
-/// Cost: O(n + (r + s) log (r + s)), n vertices of these chains, r bounds, s stops.
+/// Cost: O(n + (r + s) log (r + s)) for n vertices of these chains, r bounds and s stops.
 Bounds find_bounds(const ChainGraph& graph, std::span<const std::uint32_t> chains);
 
 }  // namespace oblast::internal::vatti

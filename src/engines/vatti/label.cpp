@@ -1,9 +1,9 @@
-// The scan: stops in lexicographic order, and at each stop the bounds that finish are replaced in the active
-// edge list by those that start, from below to above.
+// The scan visits the stops in lexicographic order. At each stop, the bounds that start replace the bounds that end in
+// the active edge list, from bottom to top.
 //
-//         \   /          finish: neighbours in the list by now, for nothing lies between them
-//    ------ p ------     `under`, the highest active edge below p, is the one below the lowest of them;
-//         /   \          only where none finishes (a local minimum) has it to be searched for
+//         \   /          The bounds that end at p are neighbours in the list, because nothing lies between them.
+//    ------ p ------     `under`, the highest active edge below p, is the one below the lowest of them. If no bound
+//         /   \          ends at p (a local minimum), `under` must be searched.
 //        `under`
 #include "engines/vatti/label.h"
 
@@ -42,7 +42,7 @@ class Scan {
       while (slot != ground && active_[slot].top == stop) slot = active_.below(slot);
     }
 
-    // Slots of finishing bounds are given to starting ones; what is left over is erased or inserted.
+    // Starting bounds get the slots of ending bounds. The remaining ones are erased or inserted.
     const std::span<const Bound> starting = bounds_.starting_at(stop);
     std::size_t started = 0;
     for (Slot next; (next = active_.above(slot)) != none && active_[next].top == stop;) {
@@ -60,7 +60,7 @@ class Scan {
     }
   }
 
-  /// A bound with `below` under it: labels its chain. Further bounds of one chain give it the same label.
+  /// Labels the chain of a bound. `below`: the winding numbers below it. All bounds of a chain give it the same label.
   ActiveEdge start(const Point& p, const Bound& bound, Winding below) {
     const Winding above = below + bound.change;
     right_[bound.chain] = bound.is_rightward() ? below : above;
@@ -69,7 +69,7 @@ class Scan {
 
   const Bounds bounds_;
   LargeArray<Winding>& right_;
-  Array<Slot> finishing_;  ///< by stop: slot of an active bound that finishes there
+  Array<Slot> finishing_;  ///< by stop: slot of an active bound that ends there
   ActiveEdges active_;
 };
 
@@ -84,7 +84,8 @@ LargeArray<Winding> label(const ChainGraph& graph) {
     chains.push_back(c);
     loops += graph.chains[c].is_loop();
   }
-  // 1. Where most chains are pieces of contours that meet others, looking for passive ones does not pay.
+  // 1. If most chains are pieces of contours that meet others, the search for passive contours costs more than it
+  // saves.
   if (2 * loops > chains.size()) chains = label_passive(graph, chains, right);
   // 2 and 3.
   Scan(graph, chains, right).run();

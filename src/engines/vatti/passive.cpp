@@ -1,4 +1,4 @@
-// Passive contours, by a raster of counts.
+// Finds passive contours with a raster of counts.
 #include "engines/vatti/passive.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct Cells {
   std::uint64_t count() const { return std::uint64_t{x1 - x0} * (y1 - y0); }
 };
 
-/// How many extents touch each cell; after `sum_up` how many touch all cells of a rectangle together.
+/// The number of extents that touch each cell. After `sum_up`: the number in all cells of a rectangle together.
 class CountRaster {
  public:
   CountRaster(const Extent& whole, std::size_t cells)
@@ -49,7 +49,7 @@ class CountRaster {
     counts_.assign(std::size_t{side_ + 1} * (side_ + 1), 0);
   }
 
-  /// Rounding is monotone, so extents that meet share a cell.
+  /// The cells of an extent. Rounding is monotone, so extents that meet have a cell in common.
   Cells cells(const Extent& e) const {
     return {cell((e.low.x - whole_.low.x) * scale_x_), cell((e.low.y - whole_.low.y) * scale_y_),
             cell((e.high.x - whole_.low.x) * scale_x_) + 1, cell((e.high.y - whole_.low.y) * scale_y_) + 1};
@@ -62,13 +62,13 @@ class CountRaster {
     ++at(c.x1, c.y1);
   }
 
-  /// Corners to counts, counts to sums over all cells before.
+  /// Converts the corners to counts, and the counts to sums over all cells before.
   void sum_up() {
     sum_corners();
     sum_corners();
   }
 
-  /// No extent but one touches these cells. REQUIRES: summed up; one extent has these cells.
+  /// True if only one extent touches these cells. REQUIRES: sum_up was called; some extent has exactly these cells.
   bool is_alone(const Cells& c) const {
     const std::int64_t sum = before(c.x1, c.y1) - before(c.x0, c.y1) - before(c.x1, c.y0) + before(c.x0, c.y0);
     return static_cast<std::uint64_t>(sum) == c.count();
@@ -77,7 +77,7 @@ class CountRaster {
  private:
   std::uint32_t cell(double position) const { return std::min(static_cast<std::uint32_t>(position), side_ - 1); }
   std::int64_t& at(std::uint32_t x, std::uint32_t y) { return counts_[std::size_t{y} * (side_ + 1) + x]; }
-  /// Sum over the cells left of column x and below row y.
+  /// The sum over the cells left of column x and below row y.
   std::int64_t before(std::uint32_t x, std::uint32_t y) const {
     return x == 0 || y == 0 ? 0 : counts_[std::size_t{y - 1} * (side_ + 1) + (x - 1)];
   }
@@ -98,7 +98,7 @@ class CountRaster {
   Array<std::int64_t> counts_;
 };
 
-/// Counter-clockwise, by the turn at the smallest vertex; a noded loop has no straight turn there.
+/// Decided by the turn at the smallest vertex. A noded loop has no straight turn there.
 bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
   std::uint32_t smallest = loop.first;
   for (std::uint32_t v = loop.first + 1; v < loop.last; ++v)
@@ -111,7 +111,7 @@ bool is_counter_clockwise(const ChainGraph& graph, const Chain& loop) {
 
 Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                                    LargeArray<Winding>& right) {
-  // Extents by component: a closed chain without nodes has one of its own, numbered behind the nodes.
+  // Extents by component. A closed chain without nodes is a component; its number follows those of the nodes.
   DisjointSets components(graph.node_count());
   for (const std::uint32_t c : chains)
     if (!graph.chains[c].is_loop()) components.unite(graph.chains[c].from, graph.chains[c].to);

@@ -1,15 +1,15 @@
-// Passive contours: those that no other comes near; they need no scan (the paper, 4.2).
+// Passive contours: contours without others near them. They need no scan (the paper, 4.2).
 //
-//    +--+--+--+--+      Contours that meet are one component; its box holds all that it encloses. Boxes of
-//    |1 |1 |  |  |      components are counted on an auxiliary raster of about as many cells. A contour that
-//    +--+--+--+--+      meets nothing is passive when it is alone in every cell its box touches: nothing
-//    |  |2 |1 |1 |      else is inside its box, and it is inside no other's. So its outer side has
-//    +--+--+--+--+      winding numbers zero.
+//    +--+--+--+--+      Contours that meet are one component; its box contains everything that it encloses. An
+//    |1 |1 |  |  |      auxiliary raster with about as many cells counts the boxes. A contour that meets nothing
+//    +--+--+--+--+      is passive if it is alone in every cell that its box touches: nothing else is inside its
+//    |  |2 |1 |1 |      box, and it is inside no other box. So the winding numbers on its outer side are zero.
+//    +--+--+--+--+
 //
-// The paper's library kept a table of all pairs of contours of the two operands, its authors a table as
-// long as their sum; both ask for the other operand only. Counting by corners and summing up (each box four
-// updates, one pass over the raster, each contour four reads) is linear in time as well. A contour whose
-// cells are shared though its box meets no other is scanned: that costs time, never the answer.
+// The library in the paper stored a table of all pairs of contours of the two operands; its authors store a table as
+// long as the sum. Both consider only the other operand. Counting by corners and summing up takes linear time, too:
+// four updates for each box, one pass over the raster, four reads for each contour. A contour whose cells are shared
+// although its box meets no other is scanned. That costs time, but does not change the result.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@
 
 namespace oblast::internal::vatti {
 
-/// Of the given chains, all that are live, labels the passive contours in `right` and returns the others, in order.
-/// Cost: O(n + k log k), n vertices of these chains, k chains.
+/// Labels the passive contours among the given chains in `right`, and returns the other chains, in order.
+/// REQUIRES: the given chains are all live chains. Cost: O(n + k log k) for k chains with n vertices.
 Array<std::uint32_t> label_passive(const ChainGraph& graph, std::span<const std::uint32_t> chains,
                                    LargeArray<Winding>& right);
 
