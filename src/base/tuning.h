@@ -289,19 +289,34 @@ inline constexpr std::uint32_t largest_raster_side = choose("largest_raster_side
 
 // ---- Locating points -----------------------------------------------------------------------------------------------
 
-/// Cells of a locator's grid for an edge, and entries of edges in cells for an edge, at most: more are shorter lists,
-/// and more memory. A million points, half of them near 200,000 edges of a snowflake: 145 ms with 2 and 6, 103 with 4
-/// and 8, 96 with 8 and 16.
-inline constexpr std::size_t located_cells_an_edge = choose("located_cells_an_edge", 4, 1);
+/// Cells of a locator's grid for an edge, and of one of its cells that is divided: more are shorter lists, and more
+/// memory. MEASURE
+inline constexpr std::size_t located_cells_an_edge = choose("located_cells_an_edge", 2, 1);
+inline constexpr std::size_t divided_cells_an_edge = choose("divided_cells_an_edge", 2, 1);
+
+/// Entries of edges in cells for an edge, at most: of the whole grid, and of all divided cells together. Bounds memory
+/// where edges are long. Not measured against other values.
 inline constexpr std::size_t located_entries_an_edge = choose("located_entries_an_edge", 8, 3);
 
 /// Cells and entries that there may be besides, so that few edges have short lists, too; they fit the first cache. A
-/// million points in a square 26 to 8 ms.
+/// million points in a square 26 to 8 ms, with 4 bytes a cell.
 inline constexpr std::size_t located_cells_besides = choose("located_cells_besides", 4096, 4);
 
-/// Edges of a cell up to which all of them are looked at; of more, those of its line are searched in the tree of slabs.
-/// Not measured against other values.
-inline constexpr std::uint32_t looked_at_in_a_cell = choose("looked_at_in_a_cell", 32, 2);
+/// Edges of a cell up to which it is not divided. MEASURE
+inline constexpr std::size_t undivided_edges = choose("undivided_edges", 8, 1);
+
+/// How often a cell is divided, and its cells again, at most. Not measured against other values.
+inline constexpr int located_divisions = choose("located_divisions", 4, 2);
+
+/// Edges of a cell up to which all of them are looked at, where it cannot be divided; of more, those of its line are
+/// searched in the tree of slabs. Below 256. Not measured against other values.
+inline constexpr std::size_t looked_at_in_a_cell = choose("looked_at_in_a_cell", 32, 2);
+
+/// Cells that a task finishes when a grid is built. Not measured.
+inline constexpr std::size_t finished_cells_a_task = choose("finished_cells_a_task", 1 << 14, 4);
+
+/// Queries whose cells and edges are fetched before any is answered. MEASURE
+inline constexpr std::size_t queries_a_block = choose("queries_a_block", 64, 3);
 
 /// Queries of a task. Not measured.
 inline constexpr std::size_t queries_a_task = choose("queries_a_task", 4096, 4);
