@@ -24,6 +24,7 @@ struct Arguments {
   std::string geos;
   std::size_t points = 1'000'000;
   int rounds = 5;
+  bool only_oblast = false;
   std::vector<std::string> regions;
 };
 
@@ -125,6 +126,7 @@ int run(int argc, char** argv) {
   app.add_option("--geos", arguments.geos, "libgeos_c.so of GEOS 3.12 or newer; without it GEOS is left out");
   app.add_option("--points", arguments.points);
   app.add_option("--rounds", arguments.rounds);
+  app.add_flag("--only-oblast", arguments.only_oblast, "no others, as for a profile");
   app.add_option("REGIONS", arguments.regions,
                  "a workload file (its operand A, united), circle:VERTICES, star:VERTICES or snowflake:LEVEL")
       ->required();
@@ -133,8 +135,8 @@ int run(int argc, char** argv) {
   const auto add = [&](std::vector<std::unique_ptr<Contestant>> more) {
     std::move(more.begin(), more.end(), std::back_inserter(contestants));
   };
-  if (!arguments.geos.empty()) add(geos_contestants(arguments.geos));
-  add(boost_contestants());
+  if (!arguments.geos.empty() && !arguments.only_oblast) add(geos_contestants(arguments.geos));
+  if (!arguments.only_oblast) add(boost_contestants());
   for (const std::string& name : arguments.regions) compare(name, contestants, arguments);
   return 0;
 }

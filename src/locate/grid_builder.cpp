@@ -5,6 +5,7 @@
 
 #include "base/call.h"
 #include "base/index.h"
+#include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
@@ -298,6 +299,9 @@ void GridBuilder::join(std::vector<Part>& parts, std::size_t cells_a_part) {
   }
   check_count(std::max(next.cells, next.edges), "cells, or edges in cells");
   const Charge charge(2 * (next.grids * sizeof(Grid) + next.cells * sizeof(Cell) + next.edges * sizeof(CellEdge)));
+  // A query looks at a few places anywhere: with small pages, at as many pages.
+  reserve_in_large_pages(grid_.cells_, next.cells);
+  reserve_in_large_pages(grid_.edges_, next.edges);
   grid_.grids_.resize(next.grids);
   grid_.cells_.resize(next.cells);
   grid_.edges_.resize(next.edges);
