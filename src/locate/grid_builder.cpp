@@ -16,6 +16,7 @@ namespace {
 using exact::orientation;
 
 constexpr std::size_t most_entries = 0xffffffff;
+static_assert(std::max(tuning::undivided_edges, tuning::looked_at_in_a_cell) <= 255, "Cell::count has a byte");
 
 bool crosses_line(const Point& from, const Point& to, double y) { return (from.y < y) != (to.y < y); }
 bool crosses_column(const Point& from, const Point& to, double x) { return (from.x <= x) != (to.x <= x); }
