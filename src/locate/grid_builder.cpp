@@ -1,156 +1,22 @@
 #include "locate/grid_builder.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/call.h"
 #include "base/index.h"
 #include "base/large_pages.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "exact/orientation.h"
+#include "locate/corners.h"
 
 namespace oblast::internal::locate {
 namespace {
 
-using exact::orientation;
-
 constexpr std::size_t most_entries = 0xffffffff;
 static_assert(std::max(tuning::undivided_edges, tuning::looked_at_in_a_cell) <= 255, "Cell::count has a byte");
 
-bool crosses_line(const Point& from, const Point& to, double y) { return (from.y < y) != (to.y < y); }
-bool crosses_column(const Point& from, const Point& to, double x) { return (from.x <= x) != (to.x <= x); }
-
-/// Whether an edge that crosses the line just below q does so left of what is just right of q.
-bool passes_left(const Point& from, const Point& to, const Point& q) {
-  if (std::max(from.x, to.x) <= q.x) return true;
-  if (std::min(from.x, to.x) > q.x) return false;
-  const int side = orientation(from, to, q);
-  if (side == 0) return from.y < to.y ? from.x <= to.x : to.x <= from.x;
-  return (side < 0) == (from.y < to.y);
-}
-
-/// Whether an edge that crosses the line just right of q does so below q.
-bool passes_below(const Point& from, const Point& to, const Point& q) {
-  if (std::max(from.y, to.y) < q.y) return true;
-  if (std::min(from.y, to.y) > q.y) return false;
-  const int side = orientation(from, to, q);
-  return side != 0 && (side > 0) == (from.x < to.x);
-}
-
-/// Calls visit(row, first column, past the last column) with all cells that the edge comes by, and maybe others.
-template <class Visit>
-void for_each_row(const Edges& edges, Index edge, const PartedBox& parted, const Visit& visit) {
-  const PartedAxis &columns = parted.columns, &rows = parted.rows;
-  const Point &low = edges.lower(edge), &high = edges.upper(edge);
-  const auto [left, right] = std::minmax(low.x, high.x);
-  const double slope = low.y < high.y ? (high.x - low.x) / (high.y - low.y) : 0;
-  const double first_x = columns.line(0), end_x = columns.end_of(columns.count() - 1);
-  for (std::size_t row = rows.first_by(low.y), last = rows.last_by(high.y); row <= last; ++row) {
-    const double y0 = rows.line(row), y1 = rows.end_of(row);
-    if (y0 > high.y || y1 < low.y) continue;
-    const double from = y0 <= low.y ? low.x : low.x + (y0 - low.y) * slope;
-    const double to = y1 >= high.y ? high.x : low.x + (y1 - low.y) * slope;
-    const double x0 = std::max(left, std::min(from, to) - columns.margin());
-    const double x1 = std::min(right, std::max(from, to) + columns.margin());
-    if (x0 <= end_x && x1 >= first_x) visit(row, columns.first_by(x0), columns.last_by(x1) + 1);
-  }
-}
-
-/// The edges by cell; false as soon as there are more than `most` entries.
-bool list_by_cell(const Edges& edges, std::span<const Index> list, const PartedBox& parted, std::size_t most,
-                  CellLists& lists, auto&& step) {
-  const std::size_t columns = parted.columns.count();
-  std::vector<Index>& begins = lists.begins;
-  begins.assign(parted.cells() + 1, 0);
-  std::size_t entries = 0;
-  for (const Index e : list) {
-    step();
-    for_each_row(edges, e, parted, [&](std::size_t row, std::size_t column, std::size_t past) {
-      entries += past - column;
-      for (; column < past && entries <= most; ++column) ++begins[row * columns + column];
-    });
-    if (entries > most) return false;
-  }
-  // Each beginning is its end first, and is moved down.
-  for (std::size_t c = 1; c < begins.size(); ++c) begins[c] += begins[c - 1];
-  lists.items.resize(entries);
-  for (const Index e : list) {
-    step();
-    for_each_row(edges, e, parted, [&](std::size_t row, std::size_t column, std::size_t past) {
-      for (; column < past; ++column) lists.items[--begins[row * columns + column]] = e;
-    });
-  }
-  return true;
-}
-
-/// The first corner of a row's line, from `first` on, that the edge passes left of; the edge crosses the line.
-std::size_t first_corner_right_of(const Edges& edges, Index edge, const PartedBox& parted, double y,
-                                  std::size_t first) {
-  const Point &from = edges.from(edge), &to = edges.to(edge);
-  const PartedAxis& columns = parted.columns;
-  const auto is_right = [&](std::size_t column) { return passes_left(from, to, {columns.line(column), y}); };
-  std::size_t column =
-      std::max<std::size_t>(first, columns.lines().at(from.x + (to.x - from.x) * ((y - from.y) / (to.y - from.y))));
-  while (column > first && is_right(column - 1)) --column;
-  while (column < columns.count() && !is_right(column)) ++column;
-  return column;
-}
-
-/// Turns the corners of each row from the first one on that the edge passes left of, where that is at `first` or after:
-/// as differences, from one corner to the next.
-void turn_corners(const Edges& edges, Index edge, const PartedBox& parted, std::size_t first, Cell* cells) {
-  const double low = edges.lower(edge).y, high = edges.upper(edge).y;
-  const std::size_t columns = parted.columns.count();
-  for (std::size_t row = parted.rows.first_by(low), last = parted.rows.last_by(high); row <= last; ++row) {
-    const double y = parted.rows.line(row);
-    if (!(low < y && y <= high)) continue;
-    if (first > 0 && passes_left(edges.from(edge), edges.to(edge), {parted.columns.line(0), y})) continue;
-    const std::size_t column = first_corner_right_of(edges, edge, parted, y, first);
-    if (column < columns) cells[row * columns + column].corner_inside ^= true;
-  }
-}
-
-/// The same up the first column, from the second corner on.
-void turn_first_column(const Edges& edges, Index edge, const PartedBox& parted, Cell* cells) {
-  const Point &from = edges.from(edge), &to = edges.to(edge);
-  const double x = parted.columns.line(0);
-  if (!crosses_column(from, to, x) || passes_below(from, to, {x, parted.rows.line(0)})) return;
-  const std::size_t columns = parted.columns.count();
-  const auto is_above = [&](std::size_t row) { return passes_below(from, to, {x, parted.rows.line(row)}); };
-  std::size_t row =
-      std::max<std::size_t>(1, parted.rows.lines().at(from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x))));
-  while (row > 1 && is_above(row - 1)) --row;
-  while (row < parted.rows.count() && !is_above(row)) ++row;
-  if (row < parted.rows.count()) cells[row * columns].corner_inside ^= true;
-}
-
-void sum_rows(std::size_t columns, std::size_t rows, Cell* cells) {
-  for (std::size_t row = 0; row < rows; ++row)
-    for (std::size_t c = row * columns + 1; c < (row + 1) * columns; ++c)
-      cells[c].corner_inside ^= cells[c - 1].corner_inside;
-}
-
 }  // namespace
-
-PartedBox::PartedBox(const Box& box, double margin_x, double margin_y, std::size_t cells) {
-  const double width = box.x1 - box.x0, height = box.y1 - box.y0;
-  const auto lines = [&](double extent, double other, double margin) {
-    const double wanted = other > 0 ? std::sqrt(static_cast<double>(cells) * (extent / other)) : 1;
-    const double most =
-        std::min({static_cast<double>(cells), PartedAxis::most_columns(extent, margin), double{0x7fffffff}});
-    // Nothing divided by nothing is not a number.
-    return extent > 0 ? static_cast<std::size_t>(std::max(1.0, std::floor(std::min(wanted, most)))) : 1;
-  };
-  const std::size_t column_count = lines(width, height, margin_x);
-  const std::size_t row_count = std::min(lines(height, width, margin_y), cells / column_count + 1);
-  columns = PartedAxis(box.x0, box.x1, margin_x, column_count);
-  rows = PartedAxis(box.y0, box.y1, margin_y, row_count);
-}
-
-Grid PartedBox::grid(std::size_t first_cell) const {
-  return {columns.lines(), rows.lines(), static_cast<std::uint32_t>(first_cell)};
-}
 
 /// A cell that will be divided.
 struct GridBuilder::Pending {
@@ -176,7 +42,7 @@ void GridBuilder::build() {
   CellLists lists;
   const Charge charge(sizeof(Index) * (most + parted.cells()));
   Steps steps(2 * count);
-  while (!list_by_cell(edges_, edges_.edges, parted, most, lists, steps))
+  while (!list_by_cell(edges_, edges_.edges, parted, most, lists, &steps))
     parted = PartedBox(box, margin_x_, margin_y_, cells /= 4);  // one cell has no more entries than there are edges
 
   grid_.cells_.resize(parted.cells());
@@ -232,7 +98,7 @@ bool GridBuilder::divide(const Pending& what, Part& part, std::vector<Pending>& 
   const std::size_t cells = parted.cells();
   if (cells < 2 || cells > part.entries_left) return false;
   if (!list_by_cell(edges_, what.list, parted,
-                    std::min(tuning::located_entries_an_edge * count, part.entries_left - cells), lists, [] {}))
+                    std::min(tuning::located_entries_an_edge * count, part.entries_left - cells), lists, nullptr))
     return false;
   part.entries_left -= cells + lists.items.size();
 
