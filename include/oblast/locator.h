@@ -18,9 +18,10 @@ enum class Location { outside, boundary, inside };
 /// allowed, too. Answers are exact: only orientation tests decide, never a computed coordinate.
 ///
 /// The locator copies the contours, so the caller may free the arrays. Several threads may use it at once.
-/// Cost to prepare n edges: O(n log n) time; O(n log n) memory in the worst case, about 80 bytes per edge if edges are
-/// short. Cost of a query: it reads one cell of a grid, usually with a few edges. If a cell holds many edges, a query
-/// takes O(log^2 n) if edges meet at vertices only (which holds for results), and O(n) in the worst case if they cross.
+/// Cost to prepare n edges: O(n log n) time; O(n) memory, about 100 to 200 bytes per edge, but O(n log n) if many long
+/// edges crowd. Cost of a query: it reads one cell of a grid, or of a grid within a cell, usually with a few edges. If
+/// many edges crowd even there, a query takes O(log^2 n) if edges meet at vertices only (which holds for results), and
+/// O(n) in the worst case if they cross. One call for many points takes about half the time of a call per point.
 class OBLAST_API Locator {
  public:
   /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit.

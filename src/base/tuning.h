@@ -299,19 +299,38 @@ inline constexpr std::uint32_t largest_raster_side = choose("largest_raster_side
 
 // ---- Locating points -----------------------------------------------------------------------------------------------
 
-/// Most cells per edge in the grid of a locator, and most entries per edge in its cells. More give shorter lists, but
-/// take more memory. A million points, half of them near 200,000 edges of a snowflake: 145 ms with 2 and 6, 103 with 4
-/// and 8, 96 with 8 and 16.
-inline constexpr std::size_t located_cells_an_edge = choose("located_cells_an_edge", 4, 1);
+/// Cells of a locator's grid for an edge, and of one of its cells that is divided: more are shorter lists, and more
+/// memory. With 4 bytes a cell, a million points, half of them near 200,000 edges of a snowflake: 145 ms with 2, 103
+/// with 4, 96 with 8. With 8 bytes and cells that are divided not measured against other values.
+inline constexpr std::size_t located_cells_an_edge = choose("located_cells_an_edge", 2, 1);
+inline constexpr std::size_t divided_cells_an_edge = choose("divided_cells_an_edge", 2, 1);
+
+/// Entries of edges in cells for an edge, at most: of the whole grid, and of all divided cells together. Bounds memory
+/// where edges are long. Not measured against other values.
 inline constexpr std::size_t located_entries_an_edge = choose("located_entries_an_edge", 8, 3);
 
-/// Additional cells and entries, which give a few edges short lists, too. They fit the first-level cache. A million
-/// points in a square: 26 to 8 ms.
+/// Cells and entries that there may be besides, so that few edges have short lists, too; they fit the first cache. A
+/// million points in a square 26 to 8 ms, with 4 bytes a cell.
 inline constexpr std::size_t located_cells_besides = choose("located_cells_besides", 4096, 4);
 
-/// Up to this many edges of a cell are all compared. Of more, the tree of slabs finds those on the line of the query.
-/// Not measured against other values.
-inline constexpr std::uint32_t looked_at_in_a_cell = choose("looked_at_in_a_cell", 32, 2);
+/// Edges of a cell up to which it is not divided: more are longer lists, and fewer grids to build and to go through.
+/// Fires, half of the points near vertices, with 8 and with 16: prepared in 163 and 107 ms; 198 and 173 ns a point in
+/// single calls, 55 and 73 in one. Circle of 100,000 vertices: 108 and 69 ns, 32 and 25.
+inline constexpr std::size_t undivided_edges = choose("undivided_edges", 16, 1);
+
+/// How often a cell is divided, and its cells again, at most. Not measured against other values.
+inline constexpr int located_divisions = choose("located_divisions", 4, 2);
+
+/// Edges of a cell up to which all of them are looked at, where it cannot be divided; of more, those of its line are
+/// searched in the tree of slabs. Below 256. Not measured against other values.
+inline constexpr std::size_t looked_at_in_a_cell = choose("looked_at_in_a_cell", 32, 2);
+
+/// Cells that a task finishes when a grid is built. Not measured.
+inline constexpr std::size_t finished_cells_a_task = choose("finished_cells_a_task", 1 << 14, 4);
+
+/// Queries whose cells and edges are fetched before any is answered. Single calls against blocks of this size: fires 57
+/// and 25 ns a point all over, 189 and 50 near vertices; against other sizes not measured.
+inline constexpr std::size_t queries_a_block = choose("queries_a_block", 64, 3);
 
 /// Queries per task. Not measured.
 inline constexpr std::size_t queries_a_task = choose("queries_a_task", 4096, 4);

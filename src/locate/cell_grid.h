@@ -1,11 +1,12 @@
-// A grid of cells, each with the edges that come by: how most points are located, by a look at a few edges.
+// A grid of cells, each with the edges that come by: how most points are located, by a look at a few edges. A cell
+// where many come by is a grid of its own.
 //
-//      Y1 +-----------+         A cell has its columns' and rows' lower lines: X0 <= x < X1, Y0 <= y < Y1. It knows
-//         |     |  p  |         whether its corner o is inside. From p a path goes straight down to q on the lower
-//         line, |     | /|  |         and along it to o: p is inside as o is, turned once by each edge that crosses the
-//         path. |     |/ |  |         All edges that do are in the cell's list, so nothing else is looked at. An empty
-//         cell is
-//      Y0 o-----/--q--+         known by its corner.
+//      Y1 +-----------+
+//         |        p  |    A cell knows whether its corner o is inside. From p a path goes straight down to q on the
+//         |     | /|  |    lower line, and along it to o: p is inside as o is, turned once by each edge that crosses
+//         the |     |/ |  |    path. All edges that do are in the cell's list, so nothing else is looked at. An empty
+//         cell
+//      Y0 o-----/--q--+    is known by its corner.
 //         X0   /     X1
 //
 // No case is special: the path is taken to run right of x and below Y0 by infinitely little, the former the smaller of
@@ -14,16 +15,29 @@
 //   an edge crosses the line Y0 - e  when one end has y' < Y0 and the other has not
 //   it passes below q                when q is left of it, run from left to right; not on it, since d << e
 //   it passes left of q              when q is right of it, run upwards; on it, when it leans right or stands straight
+//
+// How often an edge crosses the path needs one orientation, of p, for the rest is the same for all p of the cell:
+//
+//   it crosses the line Y0 right of o   p left of it: not.  p beyond it: once, below q.  Under or over it: once if p is
+//      (`crosses_line`)                 above a falling edge or below a rising one, be q left or right of where it
+//      crosses
+//   else                                p left of it or beyond it: not.  Under or over it: if p is above it and q is
+//   not,
+//                                       and which of both q is, holds for the whole cell
+//
+// So an edge is stored with its ends in one order or the other: it turns points that it passes over or under where they
+// are left of it, from `a` to `b`.
 #pragma once
 
 #include <oblast/point.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "base/tuning.h"
 #include "locate/edges.h"
+#include "locate/lines.h"
 #include "plane/box.h"
 
 namespace oblast::internal::locate {
@@ -31,47 +45,50 @@ namespace oblast::internal::locate {
 /// What a cell tells of a point. `crowded`: nothing, for there are too many edges.
 enum class CellAnswer : std::uint8_t { outside, boundary, inside, crowded };
 
+struct CellEdge {
+  Point a, b;
+};
+
+struct Cell {
+  enum class Kind : std::uint8_t { listed, divided, crowded };
+
+  std::uint32_t begin = 0;      ///< listed: of its edges; divided: its grid
+  std::uint8_t count = 0;       ///< listed: its edges
+  std::uint8_t cross_line = 0;  ///< listed: the first so many cross the line right of its corner
+  bool corner_inside = false;
+  Kind kind = Kind::listed;
+};
+
+struct Grid {
+  Lines columns, rows;
+  std::uint32_t first_cell = 0;  ///< of the lowest row; then row by row
+
+  std::uint32_t cell_of(const Point& p) const {
+    return first_cell + rows.at(p.y) * (columns.last + 1) + columns.at(p.x);
+  }
+};
+
 class CellGrid {
  public:
-  static constexpr std::size_t most_bytes_an_edge =
-      sizeof(std::uint32_t) * (tuning::located_cells_an_edge + tuning::located_entries_an_edge);
-
-  /// REQUIRES: the edges outlive it. Cost: O(n), and so is the memory.
+  /// Cost: O(n), and so is the memory.
   explicit CellGrid(const Edges& edges);
 
   bool has_crowds() const { return has_crowds_; }
   CellAnswer locate(const Point& p) const;
+  /// answers[i] is that of points[i]. What is needed of memory is fetched for a few points ahead.
+  void locate(std::span<const Point> points, CellAnswer* answers) const;
 
  private:
-  /// Lines that part the columns, or the rows. They increase.
-  struct Lines {
-    Lines() = default;
-    Lines(double from, double extent, std::size_t lines)
-        : first(from), step(extent / static_cast<double>(lines)), lines_a_unit(step > 0 ? 1 / step : 0), count(lines) {}
+  friend class GridBuilder;
 
-    double operator[](std::size_t line) const { return first + static_cast<double>(line) * step; }
-    /// The last line at or before a value that is not before the first one.
-    std::size_t at(double value) const;
+  CellAnswer look(const Cell& cell, const Point& p) const;
+  const Cell& leaf_below(const Cell& cell, const Point& p) const;
+  void fetch_what_is_below(const Cell& cell) const;
 
-    double first = 0, step = 0, lines_a_unit = 0;
-    std::size_t count = 0;
-  };
-
-  void choose_size(std::size_t cells);
-  bool count_entries(std::size_t most);
-  void list_edges();
-  void find_corners();
-  /// Calls visit(row, first column, past the last column) with all cells that the edge comes by, and maybe others.
-  template <class Visit>
-  void for_each_row(Index edge, const Visit& visit) const;
-  std::size_t first_corner_right_of(Index edge, double y) const;
-
-  const Edges& edges_;
   Box box_{};
-  double margin_ = 0;
-  Lines columns_, rows_;
-  std::vector<std::uint32_t> cells_;  ///< by cell: twice where its list begins, and whether its corner is inside
-  std::vector<Index> lists_;
+  std::vector<Grid> grids_;  ///< the first one of all the box
+  std::vector<Cell> cells_;
+  std::vector<CellEdge> edges_;
   bool has_crowds_ = false;
 };
 

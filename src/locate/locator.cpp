@@ -2,11 +2,14 @@
 #include <oblast/domain.h>
 #include <oblast/locator.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 #include "base/floating_point.h"
 #include "base/public_call.h"
+#include "base/tuning.h"
 #include "locate/cell_grid.h"
 #include "locate/slab_tree.h"
 #include "regions/validate.h"
@@ -37,19 +40,28 @@ locate::Edges edges_of(const RegionView& regions) {
 }  // namespace
 
 struct Locator::Prepared {
-  explicit Prepared(const RegionView& regions) : edges(edges_of(regions)), grid(edges) {
+  explicit Prepared(locate::Edges all) : grid(all) {
     if (!grid.has_crowds()) return;
+    edges = std::move(all);
     const Charge charge(edges.edges.size() * locate::SlabTree::bytes_an_edge);
     slabs.emplace(edges);
   }
 
-  [[gnu::noinline]] Location locate(const Point& p) const {
-    const locate::CellAnswer answer = grid.locate(p);
+  Location location(locate::CellAnswer answer, const Point& p) const {
     return answer == locate::CellAnswer::crowded ? slabs->locate(p) : static_cast<Location>(answer);
   }
+  [[gnu::noinline]] Location locate(const Point& p) const { return location(grid.locate(p), p); }
+  [[gnu::noinline]] void locate(std::span<const Point> points, Location* locations) const {
+    std::array<locate::CellAnswer, tuning::queries_a_block> answers;
+    for (; !points.empty(); points = points.subspan(std::min(points.size(), answers.size()))) {
+      const std::span<const Point> block = points.first(std::min(points.size(), answers.size()));
+      grid.locate(block, answers.data());
+      for (std::size_t i = 0; i < block.size(); ++i) *locations++ = location(answers[i], block[i]);
+    }
+  }
 
-  locate::Edges edges;
   locate::CellGrid grid;
+  locate::Edges edges;  ///< where there are slabs
   std::optional<locate::SlabTree> slabs;
 };
 
@@ -61,8 +73,8 @@ Locator::Locator(const RegionView& regions, const CallOptions& options)
         validate(regions, 0);
         const std::size_t points = regions.points.size() + regions.contour_count();
         check_count(points, "points of closed contours");
-        const Charge charge(points * (sizeof(Point) + sizeof(locate::Index) + locate::CellGrid::most_bytes_an_edge));
-        return std::make_unique<const Prepared>(regions);
+        const Charge charge(points * (sizeof(Point) + sizeof(locate::Index)));
+        return std::make_unique<const Prepared>(edges_of(regions));
       })) {}
 
 Locator::~Locator() = default;
@@ -82,7 +94,7 @@ void Locator::locate(std::span<const Point> points, std::span<Location> location
   (void)public_call(options, points.size(), [&](Control&) {
     validate(points);
     for_ranges(points.size(), tuning::queries_a_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) locations[i] = prepared_->locate(points[i]);
+      prepared_->locate(points.subspan(begin, end - begin), locations.data() + begin);
     });
     return true;
   });

@@ -5,9 +5,11 @@
 #include <oblast/locator.h>
 #include <oblast/overlay.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "base/tuning.h"
 #include "exact/orientation.h"
 #include "generators/hostile.h"
 #include "generators/random.h"
@@ -147,6 +149,78 @@ TEST(Locator, longSliversDoNotCostTheirSquare) {
     ASSERT_EQ(locator.locate({x + 0.75, y}), Location::outside);
     ASSERT_EQ(locator.locate({x + 0.5, y}), Location::boundary);
   }
+}
+
+/// Triangles that all have one vertex in common.
+RegionSet fan(std::size_t triangles) {
+  RegionSet regions;
+  const auto wide = static_cast<double>(triangles);
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const double x = 3 * static_cast<double>(i) - wide;
+    for (const Point& p : {Point{0.5, 0.25}, Point{x, 100}, Point{x + 1, 100}}) regions.points.push_back(p);
+    regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));
+  }
+  return regions;
+}
+
+TEST(Locator, manyEdgesAtAVertexExactly) {
+  // So many in one cell that it is looked through, divided, or left to the slabs.
+  generators::Random random(9);
+  for (const std::size_t edges :
+       {tuning::undivided_edges, tuning::looked_at_in_a_cell, 4 * tuning::looked_at_in_a_cell})
+    for (const std::size_t more : {0, 1, 2, 3}) {
+      const RegionSet regions = fan((edges + more) / 2);
+      expect_exact(regions, queries_for(regions, random, 40), "fan");
+    }
+}
+
+TEST(Locator, cellsDividedAgainAndAgainExactly) {
+  // Each half as far from the origin as the one before: at last more than all divisions can part.
+  RegionSet regions;
+  for (int i = 0; i < 20 * tuning::located_divisions; ++i) {
+    const double r = std::ldexp(1.0, -i);
+    for (const Point& p : {Point{r, r}, Point{1.5 * r, r * 1.25}, Point{1.25 * r, 1.5 * r}, Point{r, 1.75 * r}})
+      regions.points.push_back(p);
+    regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));
+  }
+  generators::Random random(10);
+  expect_exact(regions, queries_for(regions, random, 300), "ever smaller");
+  // The same in one cell of many: a far square makes it so.
+  for (const Point& p : {Point{-4000, -4000}, Point{-3999, -4000}, Point{-3999, -3999}, Point{-4000, -3999}})
+    regions.points.push_back(p);
+  regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));
+  expect_exact(regions, queries_for(regions, random, 300), "ever smaller, and far");
+}
+
+TEST(Locator, cellsOfSeveralTasksExactly) {
+  // A ring, so that most cells that have edges have many.
+  const std::size_t count =
+      std::max<std::size_t>(3 * tuning::finished_cells_a_task / tuning::located_cells_an_edge, 60);
+  RegionSet regions;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
+    regions.points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  std::erase_if(regions.points, [](const Point& p) { return !in_domain(p.x) || !in_domain(p.y); });
+  regions.contour_ends = {static_cast<std::uint32_t>(regions.points.size())};
+  generators::Random random(11);
+  expect_exact(regions, queries_for(regions, random, 60), "ring");
+}
+
+TEST(Locator, anyNumberOfPointsAtATime) {
+  const auto [a, b] = generators::integer_grid(5, 60);
+  const RegionSet regions = overlay(a, b, Operation::symmetric_difference);
+  const Locator locator(regions);
+  for (const std::size_t size : {std::size_t{1}, tuning::queries_a_block, tuning::queries_a_task, tuning::small_call})
+    for (const std::size_t count : {size - 1, size, size + 1, 3 * size + 1}) {
+      std::vector<Point> points;
+      for (std::size_t i = 0; i < count; ++i)
+        points.push_back({static_cast<double>(i * 7 % 90) / 2 - 2, static_cast<double>(i * 13 % 89) / 2 - 2});
+      std::vector<Location> locations(count);
+      locator.locate(points, locations);
+      for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(locations[i], locator.locate(points[i])) << i << " of " << count;
+    }
 }
 
 TEST(Locator, refusesWhatIsNoPoint) {
