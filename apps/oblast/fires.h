@@ -1,4 +1,4 @@
-// `generate fires`: satellite passes over fires in Russia, as in the paper of 2013 (DESIGN, section 9).
+// `generate fires`: satellite passes over fires in Russia, as in the paper of 2013 (include/oblast/layers.h).
 #pragma once
 
 #include <oblast/region_set.h>

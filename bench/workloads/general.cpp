@@ -1,4 +1,4 @@
-// Generated workloads of DESIGN section 9.
+// Generated workloads, one for each kind of input that the library should be quick on.
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-// The workloads of DESIGN section 9 and the tests iOverlay publishes. All are functions of a size and a
-// seed alone; the sizes are explained at each.
+// The generated workloads, and the tests iOverlay publishes. All are functions of a size and a seed alone; the sizes
+// are explained at each.
 #pragma once
 
 #include <cstdint>

@@ -67,8 +67,8 @@ class StopFinder {
       ranges_[i].loops += ranges_[i - 1].loops;
     }
     Stops stops;
-    resize_in_large_pages(stops.along, ranges_.back().stops);
-    resize_in_large_pages(stops.loops, ranges_.back().loops);
+    resize_uninitialized(stops.along, ranges_.back().stops);
+    resize_uninitialized(stops.loops, ranges_.back().loops);
     for_numbered_ranges(
         strands_.points.size(), tuning::stop_vertices_a_range,
         [&](std::size_t i, std::size_t begin, std::size_t end) { write(begin, end, ranges_[i], stops); });
@@ -137,7 +137,7 @@ struct NodeRange {
 /// Step 2a: puts the stops in order. Of the ranges the last one is past all.
 Array<NodeRange> order_stops(const Strands& strands, Stops& stops) {
   LargeArray<Point> places;
-  resize_in_large_pages(places, stops.along.size());
+  resize_uninitialized(places, stops.along.size());
   for_ranges(places.size(), tuning::stops_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) places[k] = strands.points[stops.along[k].vertex];
   });
@@ -190,11 +190,11 @@ void number_nodes(std::span<const NodeRange> ranges, Stops& stops, ChainGraph& g
   const auto& [past, node_count, chain_count, list_size] = ranges.back();
   // Lists have two entries a chain, so they fit too.
   check_count(chain_count + stops.loops.size(), "chains", most_chains);
-  resize_in_large_pages(stops.ends, node_count);
-  resize_in_large_pages(graph.node_vertex, node_count);
-  resize_in_large_pages(graph.list_ends, node_count);
-  resize_in_large_pages(graph.lists, list_size);
-  resize_in_large_pages(graph.chains, chain_count + stops.loops.size());
+  resize_uninitialized(stops.ends, node_count);
+  resize_uninitialized(graph.node_vertex, node_count);
+  resize_uninitialized(graph.list_ends, node_count);
+  resize_uninitialized(graph.lists, list_size);
+  resize_uninitialized(graph.chains, chain_count + stops.loops.size());
   graph.first_loop = chain_count;
   for_ranges(ranges.size() - 1, 1, [&](std::size_t range, std::size_t last_range) {
     for (; range < last_range; ++range) {

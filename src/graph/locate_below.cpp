@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/call_memory.h"
+#include "base/counting_sort.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
@@ -27,12 +28,13 @@ class QueryCells {
  public:
   /// Of the queries in `order`, sorted by p.
   QueryCells(std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
-      : count_(4 * order.size()), before_(count_ + 1, 0) {
+      : count_(4 * order.size()), before_(count_ + 1) {
     low_ = queries[order.front()].p.x;
     const double scale = static_cast<double>(count_) / (queries[order.back()].p.x - low_);
     if (std::isfinite(scale)) scale_ = scale;
-    for (const std::uint32_t i : order) ++before_[cell_of(queries[i].p.x) + 1];
-    std::partial_sum(before_.begin(), before_.end(), before_.begin());
+    count_begins(before_, [&](const auto& visit) {
+      for (const std::uint32_t i : order) visit(cell_of(queries[i].p.x), i);
+    });
   }
 
   /// Places in `order` among which those between two x are.

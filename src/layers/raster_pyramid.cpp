@@ -56,7 +56,7 @@ void RasterPyramid::insert(const Box& box) {
   for (std::uint32_t l = 1; l <= level; ++l) {
     const std::uint32_t shift = levels_ - l;
     const std::uint32_t quarter = (row >> shift & 1) << 1 | (column >> shift & 1);
-    if (cells_[cell].children == nothing) {
+    if (cells_[cell].children == none) {
       cells_[cell].children = checked_index(cells_.size(), "cells of the raster");
       cells_.resize(cells_.size() + 4, Cell{.box = no_box});
     }

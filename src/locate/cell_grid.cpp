@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/call.h"
+#include "base/counting_sort.h"
 #include "base/tuning.h"
 #include "exact/orientation.h"
 
@@ -82,7 +83,7 @@ void CellGrid::for_each_row(Index edge, const Visit& visit) const {
   }
 }
 
-/// Into the beginnings of lists one cell on; false as soon as there are more than `most`.
+/// By cell, how many edges its list will have; false as soon as there are more than `most` in all.
 bool CellGrid::count_entries(std::size_t most) {
   cells_.assign(columns_.count * rows_.count + 1, 0);
   Steps steps(edges_.edges.size());
@@ -91,7 +92,7 @@ bool CellGrid::count_entries(std::size_t most) {
     steps();
     for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
       entries += past - column;
-      for (; column < past && entries <= most; ++column) ++cells_[row * columns_.count + column + 1];
+      for (; column < past && entries <= most; ++column) ++cells_[row * columns_.count + column];
     });
     if (entries > most) return false;
   }
@@ -99,19 +100,20 @@ bool CellGrid::count_entries(std::size_t most) {
 }
 
 void CellGrid::list_edges() {
-  for (std::size_t c = 1; c < cells_.size(); ++c) {
-    has_crowds_ = has_crowds_ || cells_[c] > tuning::looked_at_in_a_cell;
-    cells_[c] += cells_[c - 1];
-  }
-  lists_.resize(cells_.back());
+  has_crowds_ = std::any_of(cells_.begin(), cells_.end(),
+                            [](std::uint32_t count) { return count > tuning::looked_at_in_a_cell; });
+  lists_.resize(counts_to_begins(cells_));
   Steps steps(edges_.edges.size());
-  for (const Index e : edges_.edges) {
-    steps();
-    for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
-      for (; column < past; ++column) lists_[cells_[row * columns_.count + column]++] = e;
-    });
-  }
-  // Each beginning has moved to its end.
+  const auto for_each_entry = [&](const auto& visit) {
+    for (const Index e : edges_.edges) {
+      steps();
+      for_each_row(e, [&](std::size_t row, std::size_t column, std::size_t past) {
+        for (; column < past; ++column) visit(row * columns_.count + column, e);
+      });
+    }
+  };
+  put_in_places(cells_, for_each_entry, [&](std::size_t slot, Index e) { lists_[slot] = e; });
+  // The end of a cell is the begin of the next one, shifted by one bit to make room for the corner's.
   for (std::size_t c = cells_.size() - 1; c > 0; --c) cells_[c] = 2 * cells_[c - 1];
   cells_[0] = 0;
 }

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
-#include <utility>
 
+#include "base/counting_sort.h"
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -40,12 +39,10 @@ class SortAlong {
     const auto part_of = [&](const EdgeCut& cut) {
       return static_cast<std::uint32_t>(((by_x ? cut.at.x : cut.at.y) - from) * parts_a_unit);
     };
-    ends_.assign(cuts.size() + 1, 0);
-    sorted_.resize(cuts.size());
-    for (const EdgeCut& cut : cuts) ++ends_[part_of(cut) + 1];
-    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-    // ends_[part] moves from the beginning of the part to its end as cuts are put in.
-    for (const EdgeCut& cut : cuts) sorted_[ends_[part_of(cut)]++] = cut;
+    ends_.resize(cuts.size());
+    counting_sort(ends_, sorted_, [&](const auto& visit) {
+      for (const EdgeCut& cut : cuts) visit(part_of(cut), cut);
+    });
     for (std::size_t part = 0, begin = 0; part < cuts.size(); begin = ends_[part++])
       if (ends_[part] - begin > 1) std::sort(sorted_.begin() + begin, sorted_.begin() + ends_[part], direction);
     std::copy(sorted_.begin(), sorted_.end(), cuts.begin());
@@ -96,7 +93,7 @@ class Arrangement {
     check_count(count, "cuts");
     edges_a_range_ = std::bit_ceil(grain(points_.size(), count));
     ranges_.resize(range_count(points_.size(), edges_a_range_));
-    resize_in_large_pages(cuts_, count);
+    resize_uninitialized(cuts_, count);
     scatter(blocks);
     for_numbered_ranges(points_.size(), edges_a_range_, [&](std::size_t range, std::size_t first, std::size_t past) {
       ranges_[range].end = arrange(first, past, std::span(cuts_).subspan(ranges_[range].begin, ranges_[range].count()));
@@ -128,14 +125,10 @@ class Arrangement {
       for (; first < past; ++first)
         for (const EdgeCut& cut : blocks[first]) ++counts[range_of(cut)];
     });
-    std::uint32_t sum = 0;
+    begins_of_ranges(tasks, count, [&](std::size_t task) { return &places[task * count]; });
     for (std::size_t range = 0; range < count; ++range) {
-      ranges_[range].begin = sum;
-      for (std::size_t task = 0; task < tasks; ++task) {
-        std::uint32_t& place = places[task * count + range];
-        place = std::exchange(sum, sum + place);
-      }
-      ranges_[range].end = sum;
+      ranges_[range].begin = places[range];
+      ranges_[range].end = range + 1 < count ? places[range + 1] : static_cast<std::uint32_t>(cuts_.size());
     }
     for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
       std::uint32_t* const next = &places[task * count];
@@ -148,12 +141,11 @@ class Arrangement {
   std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeCut> cuts) const {
     EdgeCut* packed = cuts.data();
     if (cuts.empty()) return static_cast<std::uint32_t>(packed - cuts_.data());
-    Array<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
-    for (const EdgeCut& cut : cuts) ++ends[cut.edge - first + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    Array<EdgeCut> by_edge(cuts.size());
-    // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
-    for (const EdgeCut& cut : cuts) by_edge[ends[cut.edge - first]++] = cut;
+    Array<std::uint32_t> ends(past - first);  // by edge: of its cuts
+    Array<EdgeCut> by_edge;
+    counting_sort(ends, by_edge, [&](const auto& visit) {
+      for (const EdgeCut& cut : cuts) visit(cut.edge - first, cut);
+    });
     SortAlong sort_along;
     std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(first));
     for (EdgeCut *begin = by_edge.data(), *const last = begin + by_edge.size(); begin != last;) {

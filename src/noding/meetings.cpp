@@ -30,8 +30,6 @@ namespace {
 
 using exact::orientation;
 
-constexpr std::uint32_t no_vertex = 0xffffffff;
-
 /// The nearest multiple of `unit` in [low, high].
 double round_to_multiple(double value, double unit, double low, double high) {
   const double rounded = std::nearbyint(value / unit) * unit;
@@ -277,20 +275,20 @@ class MeetingTest {
   /// in its box. Of ends equally near, the smallest.
   bool settle_at_an_end(std::uint32_t i, std::uint32_t j) {
     double nearest = settling_.tolerance * largest_ulp({points_[i], points_[i + 1], points_[j], points_[j + 1]});
-    std::uint32_t vertex = no_vertex, edge = 0;
+    std::uint32_t vertex = none, edge = 0;
     const auto consider = [&](std::uint32_t v, std::uint32_t other) {
       const Point &p = points_[v], &a = points_[other], &b = points_[other + 1];
       if (!Box::of(a, b).contains(p)) return;
       const double distance = distance_from_line(p, a, b);
       if (distance > nearest) return;
-      if (vertex != no_vertex && distance == nearest && !lexicographically_less(p, points_[vertex])) return;
+      if (vertex != none && distance == nearest && !lexicographically_less(p, points_[vertex])) return;
       nearest = distance;
       vertex = v;
       edge = other;
     };
     for (const std::uint32_t v : {i, i + 1}) consider(v, j);
     for (const std::uint32_t v : {j, j + 1}) consider(v, i);
-    if (vertex == no_vertex) return false;
+    if (vertex == none) return false;
     mark(vertex);
     cut(edge, 0, points_[vertex]);
     return true;

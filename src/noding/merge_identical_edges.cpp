@@ -14,8 +14,6 @@
 namespace oblast::internal::noding {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// The same for both directions of an edge, from hash() of its ends.
 std::uint32_t edge_hash(std::uint64_t from, std::uint64_t to) { return static_cast<std::uint32_t>((from + to) >> 32); }
 
@@ -26,7 +24,7 @@ constexpr std::uint32_t ahead = 16;
 class HashBits {
  public:
   HashBits(std::size_t hashes, std::size_t bits_each) {
-    resize_in_large_pages(words_, std::bit_ceil(hashes * bits_each / 64 + 1));
+    resize_with_zeros(words_, std::bit_ceil(hashes * bits_each / 64 + 1));
   }
 
   void prefetch(std::uint32_t hash) const { fetch_to_write(&words_[place(hash)]); }
@@ -90,7 +88,7 @@ void for_edges(const Strands& strands, const Prepare& prepare, const Visit& visi
 LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points) {
   LargeArray<std::uint32_t> hashes;
   if (points.empty()) return hashes;
-  resize_in_large_pages(hashes, points.size() - 1);
+  resize_uninitialized(hashes, points.size() - 1);
   constexpr std::size_t edges_a_task = tuning::hashed_edges_a_task;
   for_ranges(hashes.size(), edges_a_task, [&](std::size_t begin, std::size_t end) {
     std::uint64_t from = hash(points[begin]);
@@ -162,7 +160,7 @@ class FirstFinder {
               LargeArray<std::uint32_t> hashes)
       : strands_(strands), is_candidate_(is_candidate), table_(strands.points, candidates) {
     identical_.first_of = std::move(hashes);
-    resize_in_large_pages(identical_.sum, identical_.first_of.size());
+    resize_uninitialized(identical_.sum, identical_.first_of.size());
   }
 
   IdenticalEdges run() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/index.h"
 #include "base/large_pages.h"
 #include "noding/strands.h"
 
@@ -13,7 +14,7 @@ namespace oblast::internal::noding {
 
 /// Edges with the same two ends, in either direction.
 struct IdenticalEdges {
-  LargeArray<std::uint32_t> first_of;  ///< by edge: the first one with its ends; 0xffffffff where it is the only one
+  LargeArray<std::uint32_t> first_of;  ///< by edge: the first one with its ends; none where it is the only one
   LargeArray<Winding> sum;             ///< by such a first edge: of all their changes, in its direction; else anything
 
   bool empty() const { return first_of.empty(); }

@@ -36,7 +36,7 @@ class Pocket {
   struct Side {
     std::uint32_t origin;
     HalfEdge beyond;        ///< the half-edge on its other side. Where it dangles: its own, once there is one
-    std::uint32_t partner;  ///< where it dangles: its other place in the border; else no_index
+    std::uint32_t partner;  ///< where it dangles: its other place in the border; else none
     std::uint32_t constrained;
   };
   using Border = Array<Side>;
