@@ -48,7 +48,7 @@ class Trapezoid {
 /// operand.
 void for_each_trapezoid(const std::vector<Operand>& operands, const std::function<void(const Trapezoid&)>& visit);
 
-/// The truth table of the operations (section 1 of the papers' definitions).
+/// The truth table of the operations.
 bool selects(Operation operation, bool inside_a, bool inside_b);
 
 /// The exact area of A op B, without rounding.

@@ -1,4 +1,4 @@
-// Converts counts to 32-bit indices.
+// 32-bit indices: the one that stands for nothing, and counts that become indices.
 #pragma once
 
 #include <oblast/error.h>
@@ -10,6 +10,10 @@
 #include "base/index_limits.h"
 
 namespace oblast::internal {
+
+/// In place of an index: there is none. It is above all indices that are allowed (base/index_limits.h).
+inline constexpr std::uint32_t none = 0xffffffff;
+static_assert(most_indices < none);
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void throw_too_many(const char* what, std::size_t most,
                                                                   std::size_t operand = Place::npos) {

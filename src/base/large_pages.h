@@ -64,12 +64,19 @@ void reserve_in_large_pages(std::vector<T, Allocator>& items, std::size_t count)
   ask_for_large_pages(begin, begin + count * sizeof(T));
 }
 
-/// The same, and makes the elements. All cores touch the new pages first, because the first touch is the most
-/// expensive.
+/// Resizes. New elements hold anything until they are written, and no page is touched. Cost: none but the reservation.
+template <class T>
+void resize_uninitialized(LargeArray<T>& items, std::size_t count) {
+  reserve_in_large_pages(items, count);
+  items.resize(count);
+}
+
+/// Resizes. New elements are zeros. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
-void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, const T& value = {}) {
+void resize_with_zeros(std::vector<T, Allocator>& items, std::size_t count) {
+  static_assert(!std::is_same_v<Allocator, UninitializedAllocator<T>>, "its elements would not be zeros");
   if (count * sizeof(T) < tuning::large_array_bytes) {
-    items.resize(count, value);
+    items.resize(count);
     return;
   }
   if (items.capacity() < count) reserve_in_large_pages(items, count);
@@ -80,18 +87,13 @@ void resize_in_large_pages(std::vector<T, Allocator>& items, std::size_t count, 
                  for (; first < past; ++first) memory[first * tuning::large_array_bytes] = 0;
                });
   }
-  items.resize(count, value);
-}
-template <class T>
-void resize_in_large_pages(LargeArray<T>& items, std::size_t count) {
-  reserve_in_large_pages(items, count);
   items.resize(count);
 }
 
-/// The same, and fills the elements, on all cores.
+/// Resizes, and writes `value` to all elements, on all cores.
 template <class T>
 void fill_in_large_pages(LargeArray<T>& items, std::size_t count, const T& value) {
-  resize_in_large_pages(items, count);
+  resize_uninitialized(items, count);
   for_ranges(count, tuning::large_array_bytes / sizeof(T), [&](std::size_t begin, std::size_t end) {
     std::fill(items.begin() + static_cast<std::ptrdiff_t>(begin), items.begin() + static_cast<std::ptrdiff_t>(end),
               value);

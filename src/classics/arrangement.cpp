@@ -92,11 +92,11 @@ OwnMeetings find_own_meetings(const Array<Ring>& rings) {
 
 OwnMeetings require_regular(const Operand& operand, const Array<Ring>& rings) {
   OwnMeetings found = find_own_meetings(rings);
-  if (found.crossed_ring != OwnMeetings::nowhere)
-    operand.refuse("another edge crosses the edge that begins there, or ends inside it",
-                   rings[found.crossed_ring].contour, rings[found.crossed_ring].source[found.crossed_vertex]);
-  if (found.doubled_ring != OwnMeetings::nowhere)
-    operand.refuse("the edge that begins there coincides with another one", rings[found.doubled_ring].contour,
+  if (found.crossed_ring != none)
+    operand.refuse("another edge crosses the edge from there, or ends inside it", rings[found.crossed_ring].contour,
+                   rings[found.crossed_ring].source[found.crossed_vertex]);
+  if (found.doubled_ring != none)
+    operand.refuse("the edge from there coincides with another", rings[found.doubled_ring].contour,
                    rings[found.doubled_ring].source[found.doubled_vertex]);
   return found;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "classics/operand.h"
 #include "graph/chain_graph.h"
 
@@ -9,14 +10,12 @@ namespace oblast::internal::classics {
 
 /// The meetings of the edges of one operand with each other.
 struct OwnMeetings {
-  static constexpr std::uint32_t nowhere = 0xffffffff;
-
-  bool touches = false;                    ///< some vertex is on the boundary more than once
-  std::uint32_t crossed_ring = nowhere;    ///< the first edge that another edge crosses, or touches inside it:
-  std::uint32_t crossed_vertex = nowhere;  ///< its ring and its first vertex, as indices of `rings`
-  std::uint32_t doubled_ring = nowhere;    ///< first edge that coincides with another
-  std::uint32_t doubled_vertex = nowhere;
-  ChainGraph graph;  ///< of the rings, with changes {1, 0}; empty if an edge is crossed
+  bool touches = false;                 ///< some vertex is on the boundary more than once
+  std::uint32_t crossed_ring = none;    ///< first edge that another crosses, or touches inside it:
+  std::uint32_t crossed_vertex = none;  ///< its ring and first vertex, as indices of `rings`
+  std::uint32_t doubled_ring = none;    ///< first edge that coincides with another
+  std::uint32_t doubled_vertex = none;
+  ChainGraph graph;  ///< of the rings, changes {1, 0}; empty when an edge is crossed
 };
 
 /// Cost: O((n + k) log n).

@@ -195,7 +195,7 @@ bool HalfPlaneClip::join(std::uint32_t side) {
             [&](const Point& p, const Point& q) { return compare_points(p, q, l) < 0; });
   on_line_.erase(std::unique(on_line_.begin(), on_line_.end()), on_line_.end());
 
-  Array<std::uint32_t> exit_of(paths_.size(), no_line);  // by path: index of its exit in path_ends_
+  Array<std::uint32_t> exit_of(paths_.size(), none);  // by path: index of its exit in path_ends_
   for (std::uint32_t i = 0; i < path_ends_.size(); ++i) {
     if (path_ends_[i].entry != (i % 2 == 1)) return false;
     if (!path_ends_[i].entry) exit_of[path_ends_[i].path] = i;

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "classics/crossing.h"
 #include "classics/operand.h"
 
@@ -25,16 +26,14 @@ struct ConvexWindow {
   explicit ConvexWindow(Ring convex);
 };
 
-inline constexpr std::uint32_t no_line = 0xffffffff;
-
-/// A vertex. Lines have numbers: first the edges of the subject, by their first point, then the sides of the window.
+/// Lines are numbered: first the subject's edges by their first point, then the window's sides.
 struct ClipVertex {
-  Point at;                       ///< the point, unless it is a crossing
-  std::uint32_t along = no_line;  ///< line of the edge that begins here, in its direction
-  std::uint32_t first = no_line;  ///< for a crossing: the numbers of its two lines
-  std::uint32_t second = no_line;
+  Point at;                    ///< the point, unless it is a crossing
+  std::uint32_t along = none;  ///< line of the edge that begins here, in its direction
+  std::uint32_t first = none;  ///< crossing: of which lines
+  std::uint32_t second = none;
 
-  bool is_crossing() const { return first != no_line; }
+  bool is_crossing() const { return first != none; }
 };
 
 class HalfPlaneClip {

@@ -43,8 +43,8 @@ Array<Ring> normalise(const RegionView& regions, std::size_t index, const CallOp
   const classics::Operand operand{regions, index, name, instead};
   Array<Ring> rings{operand.one_contour()};
   const classics::OwnMeetings own = classics::find_own_meetings(rings);
-  if (own.crossed_ring != classics::OwnMeetings::nowhere)
-    operand.refuse("another edge crosses the edge that begins there, or ends inside it: not vertex-complete", 0,
+  if (own.crossed_ring != none)
+    operand.refuse("another edge crosses the edge from there, or ends inside it, so it is not vertex-complete", 0,
                    rings[0].source[own.crossed_vertex]);
   // Nothing is cut, so no coordinate changes. Coincident sides cancel, and the contour is divided into simple ones.
   const RegionSet normal = unite(regions, classics::overlay_options(call, FillRule::even_odd()));

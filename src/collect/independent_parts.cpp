@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/counting_sort.h"
+#include "base/index.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -13,11 +15,9 @@ namespace {
 
 using noding::Strands;
 
-constexpr std::uint32_t none = 0xffffffff;
-
 LargeArray<Box> boxes_of(const Strands& strands) {
   LargeArray<Box> boxes;
-  resize_in_large_pages(boxes, strands.size());
+  resize_uninitialized(boxes, strands.size());
   for_ranges(strands.size(), grain(strands.size(), strands.points.size()), [&](std::size_t first, std::size_t past) {
     for (std::size_t s = first; s < past; ++s) {
       const Point& p = strands.points[strands.begin(s)];
@@ -61,33 +61,28 @@ IndependentParts independent_parts(const Strands& strands, PartNeeds needs) {
     p.b |= strands.change[s].b != 0;
   }
 
-  // The small parts of a batch are taken in the order of the strands, not by position. Parts that are far from each
-  // other do not disturb each other's sweeps.
-  Array<std::uint32_t> size;  // by batch: the number of its strands
+  // Small parts of one batch are taken as the strands come, not as they lie: far from each other, they do not disturb
+  // each other's sweeps.
+  std::uint32_t batches = 0;
   std::size_t filled = tuning::batch_vertices;
   for (std::uint32_t s = 0; s < count; ++s) {
     steps();
     Part& p = part[connected.component[s]];
     if ((needs.a && !p.a) || (needs.b && !p.b)) continue;
-    if (p.batch == none) {
-      if (filled >= tuning::batch_vertices) {
-        size.push_back(0);
-        filled = 0;
-      }
-      filled += p.vertices;
-      p.batch = static_cast<std::uint32_t>(size.size() - 1);
+    if (p.batch != none) continue;
+    if (filled >= tuning::batch_vertices) {
+      ++batches;
+      filled = 0;
     }
-    ++size[p.batch];
+    filled += p.vertices;
+    p.batch = batches - 1;
   }
 
-  parts.ends.resize(size.size());
-  std::exclusive_scan(size.begin(), size.end(), parts.ends.begin(), 0U);
-  parts.strands.resize(std::accumulate(size.begin(), size.end(), 0U));
-  // ends[b] moves from the beginning of the batch to its end as the batch fills.
-  for (const std::uint32_t s : connected.order) {
-    const std::uint32_t batch = part[connected.component[s]].batch;
-    if (batch != none) parts.strands[parts.ends[batch]++] = s;
-  }
+  parts.ends.resize(batches);
+  counting_sort(parts.ends, parts.strands, [&](const auto& visit) {
+    for (const std::uint32_t s : connected.order)
+      if (const std::uint32_t batch = part[connected.component[s]].batch; batch != none) visit(batch, s);
+  });
   return parts;
 }
 

@@ -14,7 +14,7 @@ namespace {
 Selection select_borders(const ChainGraph& graph, const FaceLabels& labels, const LabelSets& sets,
                          const KeyRule& rule) {
   Selection selection;
-  resize_in_large_pages(selection, graph.chains.size());
+  resize_uninitialized(selection, graph.chains.size());
   for_ranges(selection.size(), tuning::selected_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       const Descriptor d = forward(c);
@@ -33,7 +33,7 @@ class PathFinder {
         selection_(selection),
         kinds_(classify_nodes(graph, selection)),
         used_(graph.chains.size(), false) {
-    resize_in_large_pages(place_, 2 * graph.chains.size());
+    resize_uninitialized(place_, 2 * graph.chains.size());
     for (std::uint32_t i = 0; i < graph.lists.size(); ++i) place_[graph.lists[i]] = i;
   }
 

@@ -14,7 +14,7 @@ namespace {
 /// By descriptor: the next one of its face cycle.
 LargeArray<Descriptor> find_successors(const ChainGraph& graph) {
   LargeArray<Descriptor> next;
-  resize_in_large_pages(next, 2 * graph.chains.size());
+  resize_uninitialized(next, 2 * graph.chains.size());
   for (auto c = graph.first_loop; c < graph.chains.size(); ++c) {
     next[forward(c)] = forward(c);
     next[opposite(forward(c))] = opposite(forward(c));

@@ -102,7 +102,7 @@ class SourceSets {
   Set keep(const Node& node);
   void grow();
 
-  static constexpr Set unknown = 0xffffffff;
+  static constexpr Set unknown = none;
 
   std::int32_t least_;
   Array<Node> nodes_;           ///< the first one stands for the empty set

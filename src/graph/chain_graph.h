@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/fetch.h"
+#include "base/index.h"
 #include "base/large_pages.h"
 #include "noding/strands.h"
 
@@ -20,9 +21,7 @@ namespace oblast::internal {
 
 using noding::Winding;
 
-inline constexpr std::uint32_t none = 0xffffffff;
-
-/// How many elements ahead of a walk through chains or stops what they point to is fetched..
+/// How many elements ahead of a walk through chains or stops what they point to is fetched.
 inline constexpr std::uint32_t fetched_ahead = 16;
 
 struct Chain {

@@ -1,7 +1,6 @@
 #include "graph/locate_below.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -9,52 +8,66 @@
 #include "base/call_memory.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
-#include "exact/orientation.h"
+#include "graph/query_cells.h"
+#include "graph/sweep_runs.h"
 
 namespace oblast::internal {
 namespace {
 
-/// A lexicographically monotone stretch of a chain, walked from its smaller end by a cursor.
-struct SweepRun {
-  std::uint32_t cursor;  ///< vertex where the edge under the sweep begins
-  std::uint32_t end;     ///< vertex where the run ends
-  std::int32_t step;     ///< 1 when the chain runs to the right, -1 when to the left
-  std::uint32_t chain;
-};
-
-/// How many queries lie before each of equal cells along x: most edges have none in theirs.
-class QueryCells {
+/// The runs under the sweep line, from below to above.
+class Status {
  public:
-  /// Of the queries in `order`, sorted by p.
-  QueryCells(std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
-      : count_(4 * order.size()), before_(count_ + 1, 0) {
-    low_ = queries[order.front()].p.x;
-    const double scale = static_cast<double>(count_) / (queries[order.back()].p.x - low_);
-    if (std::isfinite(scale)) scale_ = scale;
-    for (const std::uint32_t i : order) ++before_[cell_of(queries[i].p.x) + 1];
-    std::partial_sum(before_.begin(), before_.end(), before_.begin());
+  explicit Status(const SweepRuns& runs) : set_(Lower{&runs}), places_(runs.size()) {}
+
+  /// REQUIRES: the sweep stands at the start of the run.
+  void insert(std::uint32_t run) {
+    if (spare_.empty()) {
+      places_[run] = set_.insert(run).first;
+      return;
+    }
+    auto node = std::move(spare_.back());
+    spare_.pop_back();
+    node.value() = run;
+    places_[run] = set_.insert(std::move(node)).position;
   }
 
-  /// Places in `order` among which those between two x are.
-  std::pair<std::uint32_t, std::uint32_t> between(double x0, double x1) const {
-    return {before_[cell_of(x0)], before_[cell_of(x1) + 1]};
+  void remove(std::uint32_t run) { spare_.push_back(set_.extract(places_[run])); }
+
+  /// The highest run below the query, or none. REQUIRES: the sweep stands at the query.
+  std::uint32_t highest_below(const BelowQuery& query) const {
+    const auto it = set_.lower_bound(query);
+    return it == set_.begin() ? none : *std::prev(it);
   }
 
  private:
-  std::size_t cell_of(double x) const {
-    return static_cast<std::size_t>(std::clamp((x - low_) * scale_, 0.0, static_cast<double>(count_ - 1)));
-  }
+  /// The order of the status. Of two runs compared the later one is being put in: the sweep stands at its start.
+  struct Lower {
+    using is_transparent = void;
+    const SweepRuns* runs;
 
-  std::size_t count_;
-  double low_, scale_ = 0;
-  Array<std::uint32_t> before_;
+    bool operator()(std::uint32_t r, std::uint32_t s) const {
+      if (r == s) return false;
+      const Point &r_start = runs->start(r), &s_start = runs->start(s);
+      if (lexicographically_less(r_start, s_start)) return runs->is_below(r, s_start, runs->second(s));
+      return !runs->is_below(s, r_start, runs->second(r));
+    }
+    bool operator()(std::uint32_t r, const BelowQuery& query) const { return runs->is_below(r, query.p, query.q); }
+  };
+  using Set = std::set<std::uint32_t, Lower, CallAllocator<std::uint32_t>>;
+
+  Set set_;
+  /// Nodes of runs that finished are used again for others: allocations as many as the status is large. (libstdc++'s
+  /// pool resource would do the same, but crashes when memory runs out.)
+  Array<Set::node_type> spare_;
+  Array<Set::iterator> places_;  ///< by run
 };
 
+/// The runs that hold queries, and where they start and finish.
 class Sweep {
  public:
   /// Of some of the queries: `order`, sorted by p, not empty.
   Sweep(const ChainGraph& graph, std::span<const BelowQuery> queries, std::span<const std::uint32_t> order)
-      : graph_(graph), queries_(queries), order_(order), cells_(queries, order) {}
+      : graph_(graph), queries_(queries), order_(order), cells_(queries, order), runs_(graph.strands.points) {}
 
   void add(std::uint32_t chain) {
     graph_.fetch_points_ahead(chain);
@@ -65,31 +78,24 @@ class Sweep {
       std::uint32_t last = first + 1;
       while (last < c.last && lexicographically_less(point(last), point(last + 1)) == rightward) ++last;
       const std::uint32_t begin = rightward ? first : last, end = rightward ? last : first;
-      if (holds_query(begin, end)) runs_.push_back({begin, end, rightward ? 1 : -1, chain});
+      if (holds_query(begin, end)) runs_.add({begin, end, rightward ? 1 : -1, chain});
       first = last;
     }
   }
 
   /// Answers go to their places.
-  void run(Array<Below>& answers);
+  void run(Array<Below>& answers) {
+    sort_events();
+    Status status(runs_);
+    Steps steps(2 * runs_.size());
+    for (const std::uint32_t query : order_) {
+      advance(queries_[query].p, status, steps);
+      const std::uint32_t below = status.highest_below(queries_[query]);
+      if (below != none) answers[query] = {runs_[below].chain, runs_[below].step > 0};
+    }
+  }
 
  private:
-  /// The order of the status, from below to above. Of two runs compared the later one is being put in:
-  /// the sweep stands at its start.
-  struct Lower {
-    using is_transparent = void;
-    Sweep* sweep;
-
-    bool operator()(std::uint32_t r, std::uint32_t s) const {
-      if (r == s) return false;
-      const Point &r_start = sweep->start_points_[r], &s_start = sweep->start_points_[s];
-      if (lexicographically_less(r_start, s_start)) return sweep->is_below(r, s_start, sweep->edge_end(s));
-      return !sweep->is_below(s, r_start, sweep->edge_end(r));
-    }
-    bool operator()(std::uint32_t r, const BelowQuery& query) const { return sweep->is_below(r, query.p, query.q); }
-  };
-
-  const Point& edge_end(std::uint32_t r) const { return point(runs_[r].cursor + runs_[r].step); }
   const Point& point(std::uint32_t vertex) const { return graph_.strands.points[vertex]; }
 
   bool may_hold_query(const Point& p, const Point& q) const {
@@ -105,78 +111,44 @@ class Sweep {
     return it != order_.begin() + past && lexicographically_less(queries_[*it].p, point(end));
   }
 
-  /// True when the run passes below the edge (p, q), where p is where the sweep stands.
-  bool is_below(std::uint32_t r, const Point& p, const Point& q) {
-    SweepRun& run = runs_[r];
-    std::uint32_t next = run.cursor + run.step;
-    while (next != run.end && !lexicographically_less(p, point(next))) {
-      run.cursor = next;
-      next += run.step;
+  void sort_events() {
+    starts_.resize(runs_.size());
+    std::iota(starts_.begin(), starts_.end(), 0U);
+    finishes_ = starts_;
+    parallel_sort(starts_.begin(), starts_.end(), [&](std::uint32_t r, std::uint32_t s) {
+      return lexicographically_less(runs_.start(r), runs_.start(s));
+    });
+    parallel_sort(finishes_.begin(), finishes_.end(), [&](std::uint32_t r, std::uint32_t s) {
+      return lexicographically_less(runs_.finish(r), runs_.finish(s));
+    });
+  }
+
+  /// Puts in the runs that start up to p, and takes out those that finish up to there. At one point runs finish before
+  /// others start.
+  void advance(const Point& p, Status& status, Steps& steps) {
+    for (;;) {
+      steps();
+      const bool starts = next_start_ < starts_.size() && !lexicographically_less(p, runs_.start(starts_[next_start_]));
+      const bool finishes =
+          next_finish_ < finishes_.size() && !lexicographically_less(p, runs_.finish(finishes_[next_finish_]));
+      if (finishes &&
+          !(starts && lexicographically_less(runs_.start(starts_[next_start_]), runs_.finish(finishes_[next_finish_]))))
+        status.remove(finishes_[next_finish_++]);
+      else if (starts)
+        status.insert(starts_[next_start_++]);
+      else
+        break;
     }
-    const Point &a = point(run.cursor), &b = point(next);
-    return a == p ? exact::orientation(p, b, q) > 0 : exact::orientation(a, b, p) > 0;
   }
 
   const ChainGraph& graph_;
   std::span<const BelowQuery> queries_;
   std::span<const std::uint32_t> order_;
   QueryCells cells_;
-  Array<SweepRun> runs_;
-  Array<Point> start_points_;
+  SweepRuns runs_;
+  Array<std::uint32_t> starts_, finishes_;  ///< runs, as they start and as they finish
+  std::size_t next_start_ = 0, next_finish_ = 0;
 };
-
-void Sweep::run(Array<Below>& answers) {
-  Array<std::uint32_t> starts(runs_.size()), finishes(runs_.size());
-  std::iota(starts.begin(), starts.end(), 0U);
-  std::iota(finishes.begin(), finishes.end(), 0U);
-  start_points_.resize(runs_.size());
-  for (std::size_t r = 0; r < runs_.size(); ++r) start_points_[r] = point(runs_[r].cursor);
-  parallel_sort(starts.begin(), starts.end(), [&](std::uint32_t r, std::uint32_t s) {
-    return lexicographically_less(start_points_[r], start_points_[s]);
-  });
-  parallel_sort(finishes.begin(), finishes.end(), [&](std::uint32_t r, std::uint32_t s) {
-    return lexicographically_less(point(runs_[r].end), point(runs_[s].end));
-  });
-
-  // Nodes of runs that finished are used again for others: allocations as many as the status is large. (libstdc++'s
-  // pool resource would do the same, but crashes when memory runs out.)
-  std::set<std::uint32_t, Lower, CallAllocator<std::uint32_t>> status(Lower{this});
-  Array<decltype(status)::node_type> spare;
-  const auto insert = [&](std::uint32_t run) {
-    if (spare.empty()) return status.insert(run).first;
-    auto node = std::move(spare.back());
-    spare.pop_back();
-    node.value() = run;
-    return status.insert(std::move(node)).position;
-  };
-  Array<decltype(status)::iterator> places(runs_.size());
-
-  std::size_t next_start = 0, next_finish = 0;
-  Steps steps(2 * runs_.size());
-  for (const std::uint32_t query : order_) {
-    const Point& p = queries_[query].p;
-    // In order: at one point runs finish before others start.
-    for (;;) {
-      steps();
-      const bool starting = next_start < starts.size() && !lexicographically_less(p, start_points_[starts[next_start]]);
-      const bool finishing =
-          next_finish < finishes.size() && !lexicographically_less(p, point(runs_[finishes[next_finish]].end));
-      if (finishing && !(starting && lexicographically_less(start_points_[starts[next_start]],
-                                                            point(runs_[finishes[next_finish]].end)))) {
-        spare.push_back(status.extract(places[finishes[next_finish++]]));
-      } else if (starting) {
-        const std::uint32_t r = starts[next_start++];
-        places[r] = insert(r);
-      } else {
-        break;
-      }
-    }
-    const auto it = status.lower_bound(queries_[query]);
-    if (it == status.begin()) continue;
-    const SweepRun& below = runs_[*std::prev(it)];
-    answers[query] = {below.chain, below.step > 0};
-  }
-}
 
 }  // namespace
 

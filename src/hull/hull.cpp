@@ -2,9 +2,9 @@
 #include <oblast/hull.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/call_memory.h"
+#include "base/counting_sort.h"
 #include "base/public_call.h"
 #include "exact/orientation.h"
 #include "hull/lee.h"
@@ -28,11 +28,12 @@ Array<Point> cleaned(std::span<const Point> contour) {
 /// the point lies. Corners are found in buckets of equal width in x, as many as corners.
 class HullSide {
  public:
-  explicit HullSide(Array<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1, 0) {
+  explicit HullSide(Array<Point> corners) : corners_(std::move(corners)), first_(corners_.size() + 1) {
     const double width = corners_.back().x - corners_.front().x;
     scale_ = width > 0 ? static_cast<double>(corners_.size()) / width : 0;
-    for (const Point& c : corners_) ++first_[bucket(c) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    count_begins(first_, [&](const auto& visit) {
+      for (const Point& c : corners_) visit(bucket(c), c);
+    });
   }
 
   bool turns(int turn) const {

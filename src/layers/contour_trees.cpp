@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "base/index.h"
+#include "plane/empty_box.h"
 
 namespace oblast::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box no_box{infinity, infinity, -infinity, -infinity};
 
 Box join(const Box& p, const Box& q) {
   return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
@@ -45,7 +42,7 @@ void ContourTrees::add(std::span<const Point> contour) {
 
 void ContourTrees::add_tree(std::span<const Point> ring, std::uint32_t leaf_count) {
   const std::size_t first = nodes_.size();
-  nodes_.resize(first + 2 * leaf_count - 1, no_box);
+  nodes_.resize(first + 2 * leaf_count - 1, empty_box);
   const auto node = [&](std::size_t i) -> Box& { return nodes_[first + i - 1]; };
   for (std::size_t e = 0; e < ring.size(); ++e) {
     Box& leaf = node(leaf_count + e / ContourTree::edges_a_leaf);

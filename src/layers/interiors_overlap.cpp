@@ -45,14 +45,14 @@ bool InteriorTest::overlap(const ContourTree& p, const ContourTree& q) {
       return true;
     case Meeting::touch:
       return false;
-    case Meeting::none:
+    case Meeting::apart:
       break;
   }
   return inside(p.ring[0], q) || inside(q.ring[0], p);
 }
 
 InteriorTest::Meeting InteriorTest::boundaries(const ContourTree& p, const ContourTree& q) {
-  Meeting met = Meeting::none;
+  Meeting met = Meeting::apart;
   const auto touch_at = [&](const Point& x, std::uint32_t i, std::uint32_t j) {
     met = sectors_overlap(x, sector_at(p, i, x), sector_at(q, j, x)) ? Meeting::overlap : Meeting::touch;
   };

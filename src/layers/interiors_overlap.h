@@ -26,7 +26,7 @@ class InteriorTest {
   bool overlap(const ContourTree& p, const ContourTree& q);
 
  private:
-  enum class Meeting { none, touch, overlap };
+  enum class Meeting { apart, touch, overlap };
 
   Meeting boundaries(const ContourTree& p, const ContourTree& q);
   bool inside(const Point& x, const ContourTree& contour);

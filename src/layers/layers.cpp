@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "base/public_call.h"
 #include "base/tuning.h"
 #include "layers/contour_trees.h"
@@ -67,22 +68,20 @@ class FirstFit {
     });
     std::uint32_t layer = 0;
     while (layer < taken_for_.size() && taken_for_[layer] == number) ++layer;
-    if (layer == taken_for_.size()) taken_for_.push_back(none_yet);
+    if (layer == taken_for_.size()) taken_for_.push_back(none);
     result_.layer[contour] = layer;
     result_.count = static_cast<std::uint32_t>(taken_for_.size());
     placed_.push_back(contour);
     raster_.insert(tree.box());
   }
 
-  static constexpr std::uint32_t none_yet = 0xffffffff;
-
   const ContourTrees& contours_;
   LayerRule rule_;
   Charge charge_;  ///< for the result
   RasterPyramid raster_;
   InteriorTest test_;
-  Array<std::uint32_t> placed_;     ///< by number in the raster: the contour
-  Array<std::uint32_t> taken_for_;  ///< by layer: the last number for which the layer was taken
+  Array<std::uint32_t> placed_;     ///< contours in the raster, by their number there
+  Array<std::uint32_t> taken_for_;  ///< by layer: the last number that found it taken, or none
   Layers result_;
 };
 

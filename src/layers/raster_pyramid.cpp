@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "base/index.h"
+#include "plane/empty_box.h"
 
 namespace oblast::internal {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box no_box{infinity, infinity, -infinity, -infinity};
 
 void extend(Box& box, const Box& by) {
   box = {std::min(box.x0, by.x0), std::min(box.y0, by.y0), std::max(box.x1, by.x1), std::max(box.y1, by.y1)};
@@ -26,7 +23,7 @@ RasterPyramid::RasterPyramid(const Box& whole, std::size_t most)
       side_(std::max(whole.x1 - whole.x0, whole.y1 - whole.y0)),
       // As many cells as boxes, and three more levels for crowded boxes.
       levels_(static_cast<std::uint32_t>(std::bit_width(most)) / 2 + 3),
-      cells_(1, Cell{.box = no_box}) {
+      cells_(1, Cell{.box = empty_box}) {
   boxes_.reserve(most);
   next_box_.reserve(most);
 }
@@ -56,9 +53,9 @@ void RasterPyramid::insert(const Box& box) {
   for (std::uint32_t l = 1; l <= level; ++l) {
     const std::uint32_t shift = levels_ - l;
     const std::uint32_t quarter = (row >> shift & 1) << 1 | (column >> shift & 1);
-    if (cells_[cell].children == nothing) {
+    if (cells_[cell].children == none) {
       cells_[cell].children = checked_index(cells_.size(), "cells of the raster");
-      cells_.resize(cells_.size() + 4, Cell{.box = no_box});
+      cells_.resize(cells_.size() + 4, Cell{.box = empty_box});
     }
     cell = cells_[cell].children + quarter;
     extend(cells_[cell].box, box);

@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "base/call_memory.h"
+#include "base/index.h"
 #include "plane/box.h"
 
 namespace oblast::internal {
@@ -37,20 +38,18 @@ class RasterPyramid {
       const Cell& cell = cells_[pending_.back()];
       pending_.pop_back();
       if (!overlap(cell.box, box)) continue;
-      for (std::uint32_t b = cell.first_box; b != nothing; b = next_box_[b])
+      for (std::uint32_t b = cell.first_box; b != none; b = next_box_[b])
         if (overlap(boxes_[b], box)) visit(b);
-      if (cell.children == nothing) continue;
+      if (cell.children == none) continue;
       for (std::uint32_t quarter = 0; quarter < 4; ++quarter) pending_.push_back(cell.children + quarter);
     }
   }
 
  private:
-  static constexpr std::uint32_t nothing = 0xffffffff;
-
   struct Cell {
-    Box box;  ///< the common box of all boxes in it and in the cells below it
-    std::uint32_t first_box = nothing;
-    std::uint32_t children = nothing;  ///< the first of its four quarters, which are consecutive
+    Box box;  ///< of all boxes in it and in the cells below it
+    std::uint32_t first_box = none;
+    std::uint32_t children = none;  ///< the first of its four quarters, which lie side by side
   };
 
   std::uint32_t level_of(const Box& box) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/call.h"
+#include "base/counting_sort.h"
 #include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -85,20 +86,18 @@ void SlabTree::for_each_node(Index edge, const Visit& visit) const {
 }
 
 void SlabTree::list_nodes() {
-  ends_.assign(2 * (ys_.size() - 1) + 1, 0);
   Steps steps(2 * edges_.edges.size());
-  for (const Index e : edges_.edges) {
-    steps();
-    for_each_node(e, [&](std::size_t node) { ++ends_[node + 1]; });
-  }
-  for (std::size_t node = 1; node < ends_.size(); ++node) ends_[node] += ends_[node - 1];
+  const auto for_each_entry = [&](const auto& visit) {
+    for (const Index e : edges_.edges) {
+      steps();
+      for_each_node(e, [&](std::size_t node) { visit(node, e); });
+    }
+  };
+  ends_.resize(2 * (ys_.size() - 1) + 1);  // the last one has no node: it ends where all lists do
+  count_begins(ends_, for_each_entry);
   const Charge charge(ends_.back() * sizeof(Index));
   lists_.resize(ends_.back());
-  for (const Index e : edges_.edges) {
-    steps();
-    for_each_node(e, [&](std::size_t node) { lists_[ends_[node]++] = e; });
-  }
-  // Each beginning has moved to its end.
+  put_in_places(ends_, for_each_entry, [&](std::size_t slot, Index e) { lists_[slot] = e; });
 }
 
 void SlabTree::sort_node(std::size_t node) {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
-#include <utility>
 
+#include "base/counting_sort.h"
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -14,14 +13,14 @@
 namespace oblast::internal::noding {
 namespace {
 
-/// Sorts the cuts of one edge along it, and drops repeated ones. Rounding is monotone, so the order along the edge is
-/// the order of x, and of y where x is the same, each in the edge's own direction.
+/// Sorts the contacts of one edge along it, and drops repeated ones. Rounding is monotone, so the order along the edge
+/// is the order of x, and of y where x is the same, each in the edge's own direction.
 class SortAlong {
  public:
   /// An edge from a to b.
-  EdgeCut* operator()(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
+  EdgeContact* operator()(const Point& a, const Point& b, EdgeContact* begin, EdgeContact* end) {
     const Along along(a, b);
-    const auto direction = [&](const EdgeCut& p, const EdgeCut& q) { return along(p.at, q.at); };
+    const auto direction = [&](const EdgeContact& p, const EdgeContact& q) { return along(p.at, q.at); };
     if (end - begin <= tuning::few_cuts)
       std::sort(begin, end, direction);
     else
@@ -33,27 +32,25 @@ class SortAlong {
   /// Into parts of the edge of one length, by counting; then each part. Where cuts are spread evenly a part has but one
   /// or two, and little of this is hard to foresee.
   template <class Direction>
-  void sort_many(const Point& a, const Point& b, std::span<EdgeCut> cuts, const Direction& direction) {
+  void sort_many(const Point& a, const Point& b, std::span<EdgeContact> cuts, const Direction& direction) {
     const bool by_x = a.x != b.x;
     const double from = by_x ? a.x : a.y, to = by_x ? b.x : b.y;
     const double parts_a_unit = static_cast<double>(cuts.size() - 1) / (to - from);
-    const auto part_of = [&](const EdgeCut& cut) {
+    const auto part_of = [&](const EdgeContact& cut) {
       return static_cast<std::uint32_t>(((by_x ? cut.at.x : cut.at.y) - from) * parts_a_unit);
     };
-    ends_.assign(cuts.size() + 1, 0);
-    sorted_.resize(cuts.size());
-    for (const EdgeCut& cut : cuts) ++ends_[part_of(cut) + 1];
-    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-    // ends_[part] moves from the beginning of the part to its end as cuts are put in.
-    for (const EdgeCut& cut : cuts) sorted_[ends_[part_of(cut)]++] = cut;
+    ends_.resize(cuts.size());
+    counting_sort(ends_, sorted_, [&](const auto& visit) {
+      for (const EdgeContact& cut : cuts) visit(part_of(cut), cut);
+    });
     for (std::size_t part = 0, begin = 0; part < cuts.size(); begin = ends_[part++])
       if (ends_[part] - begin > 1) std::sort(sorted_.begin() + begin, sorted_.begin() + ends_[part], direction);
     std::copy(sorted_.begin(), sorted_.end(), cuts.begin());
   }
 
-  static EdgeCut* drop_repeated(EdgeCut* begin, EdgeCut* end) {
-    EdgeCut* last = begin;
-    for (EdgeCut* cut = begin + 1; cut != end; ++cut) {
+  static EdgeContact* drop_repeated(EdgeContact* begin, EdgeContact* end) {
+    EdgeContact* last = begin;
+    for (EdgeContact* cut = begin + 1; cut != end; ++cut) {
       if (cut->at == last->at)
         last->sine = std::min(last->sine, cut->sine);
       else
@@ -63,19 +60,19 @@ class SortAlong {
   }
 
   Array<std::uint32_t> ends_;
-  LargeArray<EdgeCut> sorted_;
+  LargeArray<EdgeContact> sorted_;
 };
 
 /// Drops cuts at which the edge from a to b would turn back in x or y, as it might where cuts are at vertices beside
 /// it. What they were to settle is left to the next round. So the pieces' boxes always shrink. Looked at from the
 /// smaller end, whichever way the edge runs. REQUIRES: sorted along the edge.
-EdgeCut* keep_monotone(const Point& a, const Point& b, EdgeCut* begin, EdgeCut* end) {
+EdgeContact* keep_monotone(const Point& a, const Point& b, EdgeContact* begin, EdgeContact* end) {
   const bool rightward = lexicographically_less(a, b);
   if (!rightward) std::reverse(begin, end);
   const Point& last = rightward ? b : a;
   Point from = rightward ? a : b;
-  EdgeCut* kept = begin;
-  for (EdgeCut* cut = begin; cut != end; ++cut) {
+  EdgeContact* kept = begin;
+  for (EdgeContact* cut = begin; cut != end; ++cut) {
     if (!Box::of(from, last).contains(cut->at)) continue;
     from = cut->at;
     *kept++ = *cut;
@@ -90,13 +87,13 @@ class Arrangement {
   Arrangement(const Strands& strands, Settling settling, Clearance* clearance)
       : strands_(strands), points_(strands.points), settling_(settling), clearance_(clearance) {}
 
-  LargeArray<EdgeCut> run(std::span<const std::span<const EdgeCut>> blocks) {
+  LargeArray<EdgeCut> run(std::span<const std::span<const EdgeContact>> blocks) {
     std::size_t count = 0;
     for (const auto& block : blocks) count += block.size();
     check_count(count, "cuts");
     edges_a_range_ = std::bit_ceil(grain(points_.size(), count));
     ranges_.resize(range_count(points_.size(), edges_a_range_));
-    resize_in_large_pages(cuts_, count);
+    resize_uninitialized(cuts_, count);
     scatter(blocks);
     for_numbered_ranges(points_.size(), edges_a_range_, [&](std::size_t range, std::size_t first, std::size_t past) {
       ranges_[range].end = arrange(first, past, std::span(cuts_).subspan(ranges_[range].begin, ranges_[range].count()));
@@ -118,54 +115,51 @@ class Arrangement {
     std::uint32_t count() const { return end - begin; }
   };
 
-  void scatter(std::span<const std::span<const EdgeCut>> blocks) {
-    const auto range_of = [&, bits = std::countr_zero(edges_a_range_)](const EdgeCut& cut) { return cut.edge >> bits; };
+  void scatter(std::span<const std::span<const EdgeContact>> blocks) {
+    const auto range_of = [&, bits = std::countr_zero(edges_a_range_)](const EdgeContact& cut) {
+      return cut.edge >> bits;
+    };
     const std::size_t blocks_a_task = range_count(blocks.size(), tuning::cut_tasks), count = ranges_.size();
     const std::size_t tasks = range_count(blocks.size(), blocks_a_task);
     Array<std::uint32_t> places(tasks * count);  // by task and range: how many; then where the next one goes
     for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
       std::uint32_t* const counts = &places[task * count];
       for (; first < past; ++first)
-        for (const EdgeCut& cut : blocks[first]) ++counts[range_of(cut)];
+        for (const EdgeContact& cut : blocks[first]) ++counts[range_of(cut)];
     });
-    std::uint32_t sum = 0;
+    begins_of_ranges(tasks, count, [&](std::size_t task) { return &places[task * count]; });
     for (std::size_t range = 0; range < count; ++range) {
-      ranges_[range].begin = sum;
-      for (std::size_t task = 0; task < tasks; ++task) {
-        std::uint32_t& place = places[task * count + range];
-        place = std::exchange(sum, sum + place);
-      }
-      ranges_[range].end = sum;
+      ranges_[range].begin = places[range];
+      ranges_[range].end = range + 1 < count ? places[range + 1] : static_cast<std::uint32_t>(cuts_.size());
     }
     for_numbered_ranges(blocks.size(), blocks_a_task, [&](std::size_t task, std::size_t first, std::size_t past) {
       std::uint32_t* const next = &places[task * count];
       for (; first < past; ++first)
-        for (const EdgeCut& cut : blocks[first]) cuts_[next[range_of(cut)]++] = cut;
+        for (const EdgeContact& cut : blocks[first]) cuts_[next[range_of(cut)]++] = cut;
     });
   }
 
   /// Of the edges [first, past). What is left of the cuts is at their beginning, up to the returned index of all.
-  std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeCut> cuts) const {
-    EdgeCut* packed = cuts.data();
+  std::uint32_t arrange(std::size_t first, std::size_t past, std::span<EdgeContact> cuts) const {
+    EdgeContact* packed = cuts.data();
     if (cuts.empty()) return static_cast<std::uint32_t>(packed - cuts_.data());
-    Array<std::uint32_t> ends(past - first + 1);  // by edge: of its cuts
-    for (const EdgeCut& cut : cuts) ++ends[cut.edge - first + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    Array<EdgeCut> by_edge(cuts.size());
-    // ends[e] moves from the beginning of the edge's cuts to their end as they are put in.
-    for (const EdgeCut& cut : cuts) by_edge[ends[cut.edge - first]++] = cut;
+    Array<std::uint32_t> ends(past - first);  // by edge: of its cuts
+    Array<EdgeContact> by_edge;
+    counting_sort(ends, by_edge, [&](const auto& visit) {
+      for (const EdgeContact& cut : cuts) visit(cut.edge - first, cut);
+    });
     SortAlong sort_along;
     std::size_t strand = strands_.strand_of(static_cast<std::uint32_t>(first));
-    for (EdgeCut *begin = by_edge.data(), *const last = begin + by_edge.size(); begin != last;) {
+    for (EdgeContact *begin = by_edge.data(), *const last = begin + by_edge.size(); begin != last;) {
       const std::uint32_t e = begin->edge;
-      EdgeCut* const end = by_edge.data() + ends[e - first];
+      EdgeContact* const end = by_edge.data() + ends[e - first];
       const Point &a = points_[e], &b = points_[e + 1];
-      EdgeCut* kept = sort_along(a, b, begin, end);
+      EdgeContact* kept = sort_along(a, b, begin, end);
       if (settling_.tolerance > 0) kept = keep_monotone(a, b, begin, kept);
       if (clearance_) {
         while (strands_.ends[strand] <= e) ++strand;
         clearance_->look_along(strand, {begin, kept});
-        kept = std::remove_if(begin, kept, [&](const EdgeCut& cut) { return cut.at == a || cut.at == b; });
+        kept = std::remove_if(begin, kept, [&](const EdgeContact& contact) { return contact.is_common_end(a, b); });
       }
       packed = std::copy(begin, kept, packed);
       begin = end;
@@ -179,12 +173,12 @@ class Arrangement {
   Clearance* clearance_;
   std::size_t edges_a_range_ = 0;  ///< a power of two
   Array<Range> ranges_;
-  LargeArray<EdgeCut> cuts_;
+  LargeArray<EdgeContact> cuts_;
 };
 
 }  // namespace
 
-LargeArray<EdgeCut> arrange_cuts(const Strands& strands, std::span<const std::span<const EdgeCut>> blocks,
+LargeArray<EdgeCut> arrange_cuts(const Strands& strands, std::span<const std::span<const EdgeContact>> blocks,
                                  Settling settling, Clearance* clearance) {
   return Arrangement(strands, settling, clearance).run(blocks);
 }

@@ -1,4 +1,14 @@
-// A cut of a cell in two, and what it does to the boxes in it. See pair_finder.h.
+// A cut of a cell in two, and what it does to the runs in it. See pair_finder.h.
+//
+//          left      |      right
+//      .-------------+-------------.      Each run has the box of what of it is in the cell, wider by the run's margin.
+//      |   .--.      |             |      It goes to each side that this box reaches; to both, it is divided:
+//      |   |r |   .--+--------.    |
+//      |   '--'   | s:        |    |      r    left only
+//      |          '--+--------'    |      s    left up to its last edge that reaches the left side, and right from
+//      '-------------+-------------'           its first edge that reaches the right side
+//
+// A run of one edge, which cannot be divided into edges, is clipped: its box becomes that of a part of the edge.
 #pragma once
 
 #include <oblast/point.h>
@@ -12,10 +22,6 @@
 
 namespace oblast::internal::noding {
 
-/// A run, or a single edge, with the box of what of it is in the cell, wider by its margin. It is on every side of a
-/// cut that it, as wide as its margin, reaches.
-using Entry = Run;
-
 enum class Axis : std::uint8_t { x, y };
 
 inline double low(const Box& box, Axis axis) { return axis == Axis::x ? box.x0 : box.y0; }
@@ -23,6 +29,11 @@ inline double high(const Box& box, Axis axis) { return axis == Axis::x ? box.x1 
 
 /// Where a cut runs: at a value of x or of y, or along the line of an edge.
 enum class CutKind : std::uint8_t { at_x, at_y, along_edge };
+
+/// REQUIRES: at_x or at_y.
+inline Axis axis_of(CutKind kind) { return kind == CutKind::at_x ? Axis::x : Axis::y; }
+inline double low(const Box& box, CutKind kind) { return low(box, axis_of(kind)); }
+inline double high(const Box& box, CutKind kind) { return high(box, axis_of(kind)); }
 
 struct CellCut {
   CutKind kind = CutKind::at_x;
@@ -36,37 +47,24 @@ struct CellCut {
   double growth = std::numeric_limits<double>::infinity();
 };
 
-/// What of an entry is left and right of a cut. Left is below, for at_y.
+/// What of a run is left and right of a cut. Left is below, for at_y.
 struct Sides {
   bool left = false, right = false;
-  Entry left_part, right_part;
+  Run left_part, right_part;
   bool touches = false;  ///< an edge kept from one side although it comes within its margin of it, in a vertex
 };
 
 /// By the edges of a run, in whose direction its coordinates never turn back: each goes to the sides it reaches.
 /// Without points the whole run goes.
-Sides divide_run(std::span<const Point> points, const Entry& entry, const CellCut& cut);
+Sides divide_run(std::span<const Point> points, const Run& run, const CellCut& cut);
 
-/// The same for entries[begin..]: what of them is left of the cut stays in their place, up to the returned index; what
+/// The same for runs[begin..]: what of them is left of the cut stays in their place, up to the returned index; what
 /// is right of it is appended to `right`.
-std::size_t divide_runs(std::span<const Point> points, LargeArray<Entry>& entries, std::size_t begin,
-                        const CellCut& cut, LargeArray<Entry>& right);
+std::size_t divide_runs(std::span<const Point> points, LargeArray<Run>& runs, std::size_t begin, const CellCut& cut,
+                        LargeArray<Run>& right);
 
-/// For an entry of one edge: what lies on either side, or within its margin of it, clipped. Rounded outwards: nothing
+/// For a run of one edge: what lies on either side, or within its margin of it, clipped. Rounded outwards: nothing
 /// is lost.
-Sides divide_edge(std::span<const Point> points, const Entry& entry, const CellCut& cut);
-
-/// What of a run that is on both sides of a cut goes to a side.
-enum class RunParts : std::uint8_t { edges, whole };
-
-/// The better median cut of the two axes, on a random sample.
-CellCut best_run_cut(std::span<const Entry> entries, RunParts parts);
-
-/// The best of the axis cuts and of some edges of the sample, for clipped entries of one edge.
-/// `may_part` says whether entries with margins may be missed as CellCut::parts_touching says.
-CellCut best_cut(std::span<const Point> points, std::span<const Entry> entries, const Box& cell, bool may_part);
-
-/// An entry that, if it went through the cell along the axis, would reach about one of the `count` others in it.
-bool is_flat(const Entry& entry, Axis axis, const Box& cell, std::size_t count);
+Sides divide_edge(std::span<const Point> points, const Run& run, const CellCut& cut);
 
 }  // namespace oblast::internal::noding

@@ -43,27 +43,27 @@ float Clearance::sine_at(const Point& p, const Point& u, const Point& v) const {
   return sine > safe && shorter * sine > distance_ ? static_cast<float>(sine) : 0.0F;
 }
 
-void Clearance::look_along(std::size_t strand, std::span<const EdgeCut> cuts) {
+void Clearance::look_along(std::size_t strand, std::span<const EdgeContact> contacts) {
   const auto& points = strands_.points;
-  const std::uint32_t edge = cuts[0].edge, first = strands_.begin(strand), last = strands_.ends[strand] - 1;
-  for (std::size_t k = 1; k < cuts.size(); ++k) {
-    const EdgeCut &p = cuts[k - 1], &q = cuts[k];
+  const std::uint32_t edge = contacts[0].edge, first = strands_.begin(strand), last = strands_.ends[strand] - 1;
+  for (std::size_t k = 1; k < contacts.size(); ++k) {
+    const EdgeContact &p = contacts[k - 1], &q = contacts[k];
     if (!(short_distance(p.at, q.at) * std::min<double>(p.sine, q.sine) > distance_)) return flag(edge);
   }
-  // The cuts nearest to the ends, against the neighbours there.
   const Point &a = points[edge], &b = points[edge + 1];
-  std::size_t begin = 0, end = cuts.size();
-  if (cuts[begin].at == a) ++begin;
-  if (begin < end && cuts[end - 1].at == b) --end;
-  if (begin == end) return;
+  std::span<const EdgeContact> cuts = contacts;
+  if (cuts.front().at == a) cuts = cuts.subspan(1);
+  if (!cuts.empty() && cuts.back().at == b) cuts = cuts.first(cuts.size() - 1);
+  if (cuts.empty()) return;
+  // The cuts nearest to the ends, against the neighbours there.
   const bool closed = (strands_.load_flags(first) & closed_flag) != 0;
   if (edge > first || closed) {
     const Point& before = points[edge > first ? edge - 1 : last - 1];
-    if (!(short_distance(a, cuts[begin].at) * sine_at(a, b, before) > distance_)) return flag(edge);
+    if (!(short_distance(a, cuts.front().at) * sine_at(a, b, before) > distance_)) return flag(edge);
   }
   if (edge + 1 < last || closed) {
     const Point& after = points[edge + 1 < last ? edge + 2 : first + 1];
-    if (!(short_distance(b, cuts[end - 1].at) * sine_at(b, a, after) > distance_)) return flag(edge);
+    if (!(short_distance(b, cuts.back().at) * sine_at(b, a, after) > distance_)) return flag(edge);
   }
 }
 

@@ -25,7 +25,9 @@
 #include <cstdint>
 #include <span>
 
-#include "noding/meetings.h"
+#include "noding/edge_contact.h"
+#include "noding/monotone_runs.h"
+#include "noding/strands.h"
 
 namespace oblast::internal::noding {
 
@@ -44,9 +46,9 @@ class Clearance {
   /// Edges from p to u and from p to v: at most the sine, and 0 when they are not clear of each other there.
   float sine_at(const Point& p, const Point& u, const Point& v) const;
 
-  /// Flags the edge when its cuts are too near each other or the edge's neighbours in its strand.
-  /// REQUIRES: cuts of one edge, sorted along it; those at its ends stand for common ends. Cost: linear.
-  void look_along(std::size_t strand, std::span<const EdgeCut> cuts);
+  /// Flags the edge when its contacts are too near each other or the edge's neighbours in its strand.
+  /// REQUIRES: contacts of one edge, cuts and common ends, sorted along it. Cost: linear.
+  void look_along(std::size_t strand, std::span<const EdgeContact> contacts);
 
  private:
   static constexpr double clear_ulps = 32;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
+#include "base/counting_sort.h"
 #include "base/tuning.h"
 
 namespace oblast::internal::noding {
@@ -40,26 +40,25 @@ void CoarseBoxes::assign(std::span<const Run> runs) {
   const auto turned = [&](Box box) { return swaps ? Box{box.y0, box.x0, box.y1, box.x1} : box; };
   around = turned(around);
   const Scale x(around.x0, around.x1), y(around.y0, around.y1);
-  const bool ordered = size > tuning::few_boxes;
-  std::uint32_t sum = 0;
-  if (ordered) {
-    past_.fill(0);
-    for (const Run& run : runs) ++past_[bucket_of(x(turned(run.box).x0))];
-    for (std::uint32_t& past : past_) past = std::exchange(sum, sum + past);
-  } else {
-    past_.fill(static_cast<std::uint32_t>(size));
-  }
-  // past_[bucket] moves from where the bucket begins to where it ends as boxes are put in.
-  for (std::size_t i = 0; i < size; ++i) {
+  const auto put = [&](std::size_t slot, std::size_t i) {
     const Box box = turned(runs[i].box);
-    const std::int16_t x0 = x(box.x0);
-    const std::size_t place = ordered ? past_[bucket_of(x0)]++ : i, k = place % block;
-    order_[place] = static_cast<std::uint32_t>(i);
-    Block& to = blocks_[place / block];
-    to.x0[k] = x0;
+    order_[slot] = static_cast<std::uint32_t>(i);
+    Block& to = blocks_[slot / block];
+    const std::size_t k = slot % block;
+    to.x0[k] = x(box.x0);
     to.y0[k] = y(box.y0);
     to.x1[k] = x(box.x1);
     to.y1[k] = y(box.y1);
+  };
+  if (size > tuning::few_boxes) {
+    const auto for_each_run = [&](const auto& visit) {
+      for (std::size_t i = 0; i < size; ++i) visit(bucket_of(x(turned(runs[i].box).x0)), i);
+    };
+    count_begins(past_, for_each_run);
+    put_in_places(past_, for_each_run, put);
+  } else {
+    past_.fill(static_cast<std::uint32_t>(size));
+    for (std::size_t i = 0; i < size; ++i) put(i, i);
   }
   // Nothing meets what is left of the last block.
   Block& last = blocks_.back();

@@ -39,8 +39,8 @@ class CutInsertion {
 
   void run() {
     strands_.points.resize(to_);
-    resize_in_large_pages(strands_.flags, to_);
-    resize_in_large_pages(strands_.origin, to_);
+    resize_with_zeros(strands_.flags, to_);
+    resize_with_zeros(strands_.origin, to_);
     Steps steps(cuts_.size());
     for (std::size_t past = cuts_.size(); past > 0;) {
       steps();
@@ -97,9 +97,9 @@ class CutCopy {
  public:
   CutCopy(const Strands& strands, std::span<const EdgeCut> cuts) : strands_(strands), cuts_(cuts) {
     const std::size_t count = strands.points.size() + cuts.size();
-    resize_in_large_pages(points, count);
-    resize_in_large_pages(flags, count);
-    resize_in_large_pages(origin, count);
+    resize_uninitialized(points, count);
+    resize_with_zeros(flags, count);
+    resize_with_zeros(origin, count);
   }
 
   void run() {
@@ -167,7 +167,7 @@ void move_ends(std::span<const EdgeCut> cuts, Strands& strands) {
 void insert_cuts(Strands& strands, std::span<const EdgeCut> cuts) {
   check_count(strands.points.size() + cuts.size(), "vertices with those of the cuts");
   if (strands.origin.empty()) {
-    resize_in_large_pages(strands.origin, strands.points.size());
+    resize_with_zeros(strands.origin, strands.points.size());
     std::iota(strands.origin.begin(), strands.origin.end(), 0U);
   }
   move_ends(cuts, strands);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/index.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -84,8 +85,6 @@ class RunFinder {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
 
   /// Of the edges [first, past) of a strand, not none.
@@ -143,7 +142,7 @@ LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const R
   });
   std::partial_sum(places.begin(), places.end(), places.begin());
   LargeArray<Run> runs;
-  resize_in_large_pages(runs, places.back());
+  resize_uninitialized(runs, places.back());
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
     finder.write(begin, end, runs.data() + places[i]);
   });

@@ -9,7 +9,9 @@
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "noding/cell_cut.h"
+#include "noding/choose_cut.h"
 #include "noding/coarse_boxes.h"
+#include "plane/empty_box.h"
 
 namespace oblast::internal::noding {
 namespace {
@@ -17,7 +19,7 @@ namespace {
 constexpr std::size_t leaf_size = runs_of_one_cell;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The part of the plane that entries are looked at in, or a box around it where edges cut it off.
+/// The part of the plane that runs are looked at in, or a box around it where edges cut it off.
 struct Cell {
   Box box{-infinity, -infinity, infinity, infinity};
   bool clipped = false;
@@ -32,11 +34,11 @@ struct Cell {
   }
 };
 
-bool one_group(std::span<const Entry> entries) {
-  if (entries.empty()) return true;
-  const Group group = entries[0].group;
+bool one_group(std::span<const Run> runs) {
+  if (runs.empty()) return true;
+  const Group group = runs[0].group;
   if (group == any_group) return false;
-  return std::all_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.group == group; });
+  return std::all_of(runs.begin(), runs.end(), [&](const Run& e) { return e.group == group; });
 }
 
 /// Pairs on their way to the visitor.
@@ -45,7 +47,7 @@ class PairBatch {
   explicit PairBatch(const PairVisitor& visit) : visit_(visit) {}
 
   /// `meets`, of their boxes, is 1 or 0, and hard to foresee as all that is asked here: so there is no branch.
-  void add_if(int meets, const Entry& p, const Entry& q) {
+  void add_if(int meets, const Run& p, const Run& q) {
     pairs_[count_] = {p.first, p.last, q.first, q.last};
     const int may_meet = static_cast<int>(p.group != q.group) | static_cast<int>(p.group == any_group);
     const int follow = (static_cast<int>(p.last == q.first) & static_cast<int>(q.goes_on())) |
@@ -54,10 +56,10 @@ class PairBatch {
     if (count_ == pairs_.size()) visit();
   }
   /// Every two whose boxes meet.
-  void add_all(std::span<const Entry> entries) {
-    boxes_.assign(entries);
+  void add_all(std::span<const Run> runs) {
+    boxes_.assign(runs);
     boxes_.for_each_pair([&](std::size_t i, std::size_t j) {
-      const Entry &p = entries[i], &q = entries[j];
+      const Run &p = runs[i], &q = runs[j];
       add_if(static_cast<int>(p.box.meets(q.box)), p, q);
     });
   }
@@ -100,20 +102,20 @@ class Finder {
 
   /// The cut for a cell, after going over to clipped edges where boxes say too little; growth is infinite
   /// where every pair is to be tested.
-  CellCut choose_cut(LargeArray<Entry>& entries, std::size_t begin, Cell& cell, PairBatch& batch) const {
-    const auto count = [&] { return entries.size() - begin; };
+  CellCut choose_cut(LargeArray<Run>& runs, std::size_t begin, Cell& cell, PairBatch& batch) const {
+    const auto count = [&] { return runs.size() - begin; };
     if (!cell.clipped) {
       if (count() <= leaf_size) return {};
       const RunParts parts = goal_ == PairGoal::boxes ? RunParts::whole : RunParts::edges;
-      const CellCut cut = best_run_cut(tail(entries, begin), parts);
+      const CellCut cut = best_run_cut(tail(runs, begin), parts);
       if (cut.growth <= tuning::box_growth || goal_ == PairGoal::boxes)
         return cut.growth <= tuning::largest_growth ? cut : CellCut{};
-      clip_edges(entries, begin, cell);
+      clip_edges(runs, begin, cell);
     }
     while (count() > tuning::clipped_edges_of_one_cell) {
-      if (match_crossers(Axis::x, entries, begin, cell, batch) || match_crossers(Axis::y, entries, begin, cell, batch))
+      if (match_crossers(Axis::x, runs, begin, cell, batch) || match_crossers(Axis::y, runs, begin, cell, batch))
         continue;
-      const CellCut cut = best_cut(points_, tail(entries, begin), cell.box, unsure_ != nullptr);
+      const CellCut cut = best_cut(points_, tail(runs, begin), cell.box, unsure_ != nullptr);
       return cut.growth <= tuning::largest_growth ? cut : CellCut{};
     }
     return {};
@@ -122,31 +124,29 @@ class Finder {
   /// Runs are divided at a cut, unless it is their boxes that count.
   std::span<const Point> run_points() const { return goal_ == PairGoal::boxes ? std::span<const Point>() : points_; }
 
-  static std::span<Entry> tail(LargeArray<Entry>& entries, std::size_t begin) {
-    return std::span(entries).subspan(begin);
-  }
+  static std::span<Run> tail(LargeArray<Run>& runs, std::size_t begin) { return std::span(runs).subspan(begin); }
 
   /// Runs to single edges, each with the box of its part in the cell.
-  void clip_edges(LargeArray<Entry>& entries, std::size_t begin, Cell& cell) const {
-    const LargeArray<Entry> runs(entries.begin() + static_cast<std::ptrdiff_t>(begin), entries.end());
-    entries.resize(begin);
-    for (const Entry& run : runs) {
+  void clip_edges(LargeArray<Run>& runs, std::size_t begin, Cell& cell) const {
+    const LargeArray<Run> whole(runs.begin() + static_cast<std::ptrdiff_t>(begin), runs.end());
+    runs.resize(begin);
+    for (const Run& run : whole) {
       for (std::uint32_t e = run.first; e < run.last; ++e) {
         // Within a run an edge meets none but in the vertex between them.
         const bool goes_on = e > run.first || run.goes_on() != 0;
-        Entry edge{Box::of(points_[e], points_[e + 1]).widened(run.margin()), e, e + 1, run.group,
-                   Run::marks_of(goes_on, run.margin())};
-        if (clip_to(cell, edge)) entries.push_back(edge);
+        Run edge{Box::of(points_[e], points_[e + 1]).widened(run.margin()), e, e + 1, run.group,
+                 Run::marks_of(goes_on, run.margin())};
+        if (clip_to(cell, edge)) runs.push_back(edge);
       }
     }
     cell.clipped = true;
-    Box around{infinity, infinity, -infinity, -infinity};
-    for (const Entry& e : tail(entries, begin)) around = around.joined(e.box);
+    Box around = empty_box;
+    for (const Run& e : tail(runs, begin)) around = around.joined(e.box);
     cell.box = {std::max(cell.box.x0, around.x0), std::max(cell.box.y0, around.y0), std::min(cell.box.x1, around.x1),
                 std::min(cell.box.y1, around.y1)};
   }
 
-  bool clip_to(const Cell& cell, Entry& edge) const {
+  bool clip_to(const Cell& cell, Run& edge) const {
     const auto keep = [&](CutKind kind, double at, bool right) {
       if (at == infinity || at == -infinity) return true;
       const Sides sides = divide_edge(points_, edge, {kind, at, 0, true});
@@ -158,68 +158,68 @@ class Finder {
            keep(CutKind::at_y, cell.box.y0, true) && keep(CutKind::at_y, cell.box.y1, false);
   }
 
-  /// What of entries[begin..] is left of the cut stays in their place, up to the returned index.
-  std::size_t divide_all(LargeArray<Entry>& entries, std::size_t begin, const CellCut& cut, const Cell& cell,
-                         LargeArray<Entry>& right) const {
-    if (!cell.clipped) return divide_runs(run_points(), entries, begin, cut, right);
+  /// What of runs[begin..] is left of the cut stays in their place, up to the returned index.
+  std::size_t divide_all(LargeArray<Run>& runs, std::size_t begin, const CellCut& cut, const Cell& cell,
+                         LargeArray<Run>& right) const {
+    if (!cell.clipped) return divide_runs(run_points(), runs, begin, cut, right);
     std::size_t left_end = begin;
-    for (std::size_t i = begin; i < entries.size(); ++i) {
-      const Entry e = entries[i];
+    for (std::size_t i = begin; i < runs.size(); ++i) {
+      const Run e = runs[i];
       const Sides sides = divide_edge(points_, e, cut);
       if (sides.touches && unsure_) unsure_(e.first);
       if (sides.right) right.push_back(sides.right_part);
-      if (sides.left) entries[left_end++] = sides.left_part;
+      if (sides.left) runs[left_end++] = sides.left_part;
     }
     return left_end;
   }
 
-  void split_in_parallel(LargeArray<Entry> entries, Cell cell, TaskGroup& tasks) {
-    if (one_group(entries)) return;
+  void split_in_parallel(LargeArray<Run> runs, Cell cell, TaskGroup& tasks) {
+    if (one_group(runs)) return;
     CellCut cut;
-    if (entries.size() > runs_of_one_thread) {
+    if (runs.size() > runs_of_one_thread) {
       PairBatch batch(visit_);
-      cut = choose_cut(entries, 0, cell, batch);
+      cut = choose_cut(runs, 0, cell, batch);
       batch.visit();
     }
     if (cut.growth == infinity) {
-      split(std::move(entries), cell);
+      split(std::move(runs), cell);
       return;
     }
     // A task is called as const, so its boxes travel behind a pointer.
-    const auto right = std::make_shared<LargeArray<Entry>>();
-    reserve_in_large_pages(*right, entries.size() * 5 / 8);
-    const std::size_t left_end = divide_all(entries, 0, cut, cell, *right);
-    entries.resize(left_end);
+    const auto right = std::make_shared<LargeArray<Run>>();
+    reserve_in_large_pages(*right, runs.size() * 5 / 8);
+    const std::size_t left_end = divide_all(runs, 0, cut, cell, *right);
+    runs.resize(left_end);
     // What was right of the cut is there twice else while the left is divided further.
-    release_unused_pages(entries);
+    release_unused_pages(runs);
     const auto [left_cell, right_cell] = cell.halves(cut);
     tasks.add([this, &tasks, right, c = right_cell] { split_in_parallel(std::move(*right), c, tasks); });
-    split_in_parallel(std::move(entries), left_cell, tasks);
+    split_in_parallel(std::move(runs), left_cell, tasks);
   }
 
   /// Depth first, on one array used as a stack: the cell on top owns its tail.
-  void split(LargeArray<Entry> entries, const Cell& root) {
+  void split(LargeArray<Run> runs, const Cell& root) {
     PairBatch batch(visit_);
-    LargeArray<Entry> right;
+    LargeArray<Run> right;
     Array<Task> stack{{0, root}};
     while (!stack.empty()) {
       poll();
       Task task = stack.back();
       stack.pop_back();
-      if (one_group(tail(entries, task.begin))) {
-        entries.resize(task.begin);
+      if (one_group(tail(runs, task.begin))) {
+        runs.resize(task.begin);
         continue;
       }
-      const CellCut cut = choose_cut(entries, task.begin, task.cell, batch);
+      const CellCut cut = choose_cut(runs, task.begin, task.cell, batch);
       if (cut.growth == infinity) {
-        batch.add_all(tail(entries, task.begin));
-        entries.resize(task.begin);
+        batch.add_all(tail(runs, task.begin));
+        runs.resize(task.begin);
         continue;
       }
       right.clear();
-      const std::size_t left_end = divide_all(entries, task.begin, cut, task.cell, right);
-      entries.resize(left_end);
-      entries.insert(entries.end(), right.begin(), right.end());
+      const std::size_t left_end = divide_all(runs, task.begin, cut, task.cell, right);
+      runs.resize(left_end);
+      runs.insert(runs.end(), right.begin(), right.end());
       const auto [left_cell, right_cell] = task.cell.halves(cut);
       stack.push_back({task.begin, left_cell});
       stack.push_back({left_end, right_cell});
@@ -231,10 +231,9 @@ class Finder {
   /// paired with whatever they reach and are out of the way, while cuts would copy them down to the smallest cells. As
   /// in a segment tree, an edge goes through O(log n) cells when it first goes through one. False, and nothing done,
   /// where such edges are few.
-  bool match_crossers(Axis axis, LargeArray<Entry>& entries, std::size_t begin, const Cell& cell,
-                      PairBatch& batch) const {
-    const std::span<Entry> all = tail(entries, begin);
-    const auto stays = [&](const Entry& e) {
+  bool match_crossers(Axis axis, LargeArray<Run>& runs, std::size_t begin, const Cell& cell, PairBatch& batch) const {
+    const std::span<Run> all = tail(runs, begin);
+    const auto stays = [&](const Run& e) {
       return low(e.box, axis) > low(cell.box, axis) || high(e.box, axis) < high(cell.box, axis) ||
              !is_flat(e, axis, cell.box, all.size());
     };
@@ -242,14 +241,14 @@ class Finder {
     if ((all.size() - staying) * tuning::entries_a_crosser < all.size()) return false;
     std::partition(all.begin(), all.end(), stays);
     const Axis across = axis == Axis::x ? Axis::y : Axis::x;
-    const auto before = [&](const Entry& p, const Entry& q) { return low(p.box, across) < low(q.box, across); };
-    const std::span<Entry> others = all.first(staying), crossers = all.subspan(staying);
+    const auto before = [&](const Run& p, const Run& q) { return low(p.box, across) < low(q.box, across); };
+    const std::span<Run> others = all.first(staying), crossers = all.subspan(staying);
     parallel_sort(others.begin(), others.end(), before);
     parallel_sort(crossers.begin(), crossers.end(), before);
     // Each with those that begin not before it, and before it ends.
-    const auto match = [&](const Entry& e, std::span<const Entry> sorted, PairBatch& found) {
+    const auto match = [&](const Run& e, std::span<const Run> sorted, PairBatch& found) {
       const double reach = high(e.box, across);
-      for (const Entry& q : sorted) {
+      for (const Run& q : sorted) {
         if (low(q.box, across) > reach) break;
         found.add_if(1, e, q);
       }
@@ -275,7 +274,7 @@ class Finder {
         found.visit();
       });
     }
-    entries.resize(begin + staying);
+    runs.resize(begin + staying);
     return true;
   }
 

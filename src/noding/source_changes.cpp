@@ -7,8 +7,6 @@
 namespace oblast::internal::noding {
 namespace {
 
-constexpr std::uint32_t free_slot = 0xffffffff;
-
 std::uint64_t hash(std::span<const SourceChanges::Item> list) {
   std::uint64_t h = list.size();
   for (const SourceChanges::Item& item : list)
@@ -63,7 +61,7 @@ std::int32_t SourceChanges::handle_of(std::span<const Item> list) {
   std::uint64_t slot = hash(list);
   for (;; ++slot) {
     const std::uint32_t i = slots_[slot & (slots_.size() - 1)];
-    if (i == free_slot) break;
+    if (i == none) break;
     if (std::ranges::equal(this->list(i), list)) return static_cast<std::int32_t>(source_count_ + 1 + i);
   }
   const std::uint32_t i =
@@ -75,10 +73,10 @@ std::int32_t SourceChanges::handle_of(std::span<const Item> list) {
 }
 
 void SourceChanges::grow() {
-  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), free_slot);
+  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), none);
   for (std::uint32_t i = 0; i < ends_.size(); ++i) {
     std::uint64_t slot = hash(list(i));
-    while (slots_[slot & (slots_.size() - 1)] != free_slot) ++slot;
+    while (slots_[slot & (slots_.size() - 1)] != none) ++slot;
     slots_[slot & (slots_.size() - 1)] = i;
   }
 }

@@ -1,15 +1,12 @@
 #include "plane/box_tree.h"
 
-#include <limits>
-
 #include "plane/curve_order.h"
+#include "plane/empty_box.h"
 
 namespace oblast::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A box that meets nothing, and adds nothing to a box with which it is joined.
-constexpr Box no_box{infinity, infinity, -infinity, -infinity};
+/// Meets nothing, and adds nothing to what it is joined to.
 
 }  // namespace
 
@@ -25,7 +22,7 @@ BoxTree::BoxTree(std::span<const Box> boxes) : order_(curve_order(boxes)) {
   while (boxes_.size() - begins_[begins_.size() - 2] > 1) {
     const std::size_t begin = begins_[begins_.size() - 2], end = begins_.back();
     for (std::size_t i = begin; i < end; i += fan) {
-      Box node = no_box;
+      Box node = empty_box;
       for (std::size_t k = i; k < std::min(end, i + fan); ++k) node = node.joined(boxes_[k]);
       boxes_.push_back(node);
     }
@@ -43,6 +40,6 @@ void BoxTree::replace(std::uint32_t i, const Box& box) {
   }
 }
 
-void BoxTree::remove(std::uint32_t i) { boxes_[place_[i]] = no_box; }
+void BoxTree::remove(std::uint32_t i) { boxes_[place_[i]] = empty_box; }
 
 }  // namespace oblast::internal

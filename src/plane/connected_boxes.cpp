@@ -29,8 +29,8 @@ class Connector {
       begins_.push_back(end);
       break;
     }
-    resize_in_large_pages(boxes_, begins_.back());
-    resize_in_large_pages(is_one_, begins_.back(), std::uint8_t{0});
+    resize_uninitialized(boxes_, begins_.back());
+    resize_with_zeros(is_one_, begins_.back());
     for_ranges(boxes.size(), boxes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         boxes_[i] = boxes[order[i]];
@@ -46,7 +46,7 @@ class Connector {
       });
     }
     LargeArray<std::uint32_t> component;
-    resize_in_large_pages(component, order_.size());
+    resize_uninitialized(component, order_.size());
     Steps steps(order_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
       steps();

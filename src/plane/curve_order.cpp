@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
+#include "base/counting_sort.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -59,9 +59,9 @@ using Counts = std::array<std::uint32_t, radix>;
 
 std::uint32_t digit_of(const Keyed& k, int digit) { return (k.key >> (digit * digit_bits)) % radix; }
 
-/// Copies to `to`, stably sorted by a digit. Writes the end of each digit to `ends`. Large arrays are divided into a
-/// few ranges, which are processed in parallel: the counts of digits in each range determine the positions. REQUIRES:
-/// `from` is not empty.
+/// A counting sort by a digit: copies to `to`. `ends` becomes where each digit ends. Large arrays are sorted in a few
+/// ranges side by side.
+/// REQUIRES: items.
 void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::span<Keyed> to) {
   constexpr std::size_t items_a_range = tuning::keys_a_range;
   const std::size_t ranges = range_count(from.size(), items_a_range);
@@ -72,12 +72,7 @@ void sort_by_digit(std::span<const Keyed> from, int digit, Counts& ends, std::sp
     counts.fill(0);
     for (const Keyed& k : from.subspan(begin, end - begin)) ++counts[digit_of(k, digit)];
   });
-  std::uint32_t sum = 0;
-  for (std::size_t value = 0; value < radix; ++value)
-    for (std::size_t range = 0; range < ranges; ++range) {
-      std::uint32_t& count = counts_of(range)[value];
-      count = std::exchange(sum, sum + count);
-    }
+  begins_of_ranges(ranges, radix, counts_of);
   for_numbered_ranges(from.size(), items_a_range, [&](std::size_t range, std::size_t begin, std::size_t end) {
     Counts& starts = counts_of(range);
     for (const Keyed& k : from.subspan(begin, end - begin)) to[starts[digit_of(k, digit)]++] = k;
@@ -94,7 +89,7 @@ void sort_small(std::span<Keyed> items) {
 void radix_sort(std::span<Keyed> items, LargeArray<Keyed>& buffer) {
   if (buffer.size() < items.size()) {
     buffer = {};
-    resize_in_large_pages(buffer, items.size());
+    resize_uninitialized(buffer, items.size());
   }
   Counts ends;
   sort_by_digit(items, 2, ends, buffer);
@@ -118,7 +113,7 @@ void radix_sort(std::span<Keyed> items, LargeArray<Keyed>& buffer) {
 class CurveSort {
  public:
   explicit CurveSort(std::span<const Point> points) : points_(points) {
-    resize_in_large_pages(items_, points.size());
+    resize_uninitialized(items_, points.size());
     for_ranges(items_.size(), points_a_task, [&](std::size_t first, std::size_t past) {
       for (std::size_t i = first; i < past; ++i) items_[i] = {0, static_cast<std::uint32_t>(i)};
     });
@@ -203,14 +198,14 @@ LargeArray<Keyed> curve_order(std::span<const Point> points) { return CurveSort(
 
 LargeArray<std::uint32_t> curve_order(std::span<const Box> boxes) {
   LargeArray<Point> middles;
-  resize_in_large_pages(middles, boxes.size());
+  resize_uninitialized(middles, boxes.size());
   for_ranges(boxes.size(), tuning::boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       middles[i] = {boxes[i].x0 / 2 + boxes[i].x1 / 2, boxes[i].y0 / 2 + boxes[i].y1 / 2};
   });
   const LargeArray<Keyed> keyed = curve_order(middles);
   LargeArray<std::uint32_t> order;
-  resize_in_large_pages(order, boxes.size());
+  resize_uninitialized(order, boxes.size());
   for_ranges(boxes.size(), tuning::boxes_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = keyed[i].index;
   });

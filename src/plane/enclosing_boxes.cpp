@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/call.h"
 #include "base/call_memory.h"
+#include "base/counting_sort.h"
 #include "base/tuning.h"
 
 namespace oblast::internal {
@@ -16,12 +16,10 @@ class PointGrid {
  public:
   PointGrid(const Box& around, std::span<const Point> points)
       : around_(around), side_(static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(points.size()))))) {
-    ends_.assign(std::size_t{side_} * side_, 0);
-    for (const Point& p : points) ++ends_[cell(column(p.x), row(p.y))];
-    std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), 0U);
-    // ends_[c] moves from the beginning of the cell to its end as the cell fills.
-    points_.resize(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) points_[ends_[cell(column(points[i].x), row(points[i].y))]++] = i;
+    ends_.resize(std::size_t{side_} * side_);
+    counting_sort(ends_, points_, [&](const auto& visit) {
+      for (std::uint32_t i = 0; i < points.size(); ++i) visit(cell(column(points[i].x), row(points[i].y)), i);
+    });
   }
 
   // Both functions are monotone, so a point inside a box is in a cell between the cells of its corners.

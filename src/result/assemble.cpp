@@ -1,8 +1,8 @@
 #include "result/assemble.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/counting_sort.h"
 #include "base/index.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
@@ -90,19 +90,18 @@ RegionSet assemble(const Rings& rings, const Nesting& nesting, RegionSet spare) 
     }
   });
 
-  // Polygons in the order of their outer rings. The rings of a polygon are together, the outer one first.
-  Array<std::uint32_t> ends(nesting.polygon_count + 1, 0);
-  for (const std::uint32_t polygon : nesting.polygon) ++ends[polygon + 1];
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  Array<std::uint32_t> members(rings.size());
-  for (std::uint32_t r = 0; r < rings.size(); ++r) members[ends[nesting.polygon[r]]++] = r;
+  // Polygons by their outer rings; the rings of each together, the outer one first.
+  Array<std::uint32_t> ends(nesting.polygon_count), members;
+  counting_sort(ends, members, [&](const auto& visit) {
+    for (std::uint32_t r = 0; r < rings.size(); ++r) visit(nesting.polygon[r], r);
+  });
   parallel_sort(polygons.begin(), polygons.end(), [&](const PolygonKey& p, const PolygonKey& q) {
     if (p.row != q.row) return p.row < q.row;
     return p.first != q.first ? lexicographically_less(p.first, q.first) : rotations[p.outer] < rotations[q.outer];
   });
 
   RegionSet result = emptied(std::move(spare));
-  resize_in_large_pages(result.points, rings.points.size());
+  resize_with_zeros(result.points, rings.points.size());
   result.contour_ends.reserve(rings.size());
   result.polygon_ends.reserve(nesting.polygon_count);
   Array<std::uint32_t> order;  // of the rings in the result
@@ -171,7 +170,7 @@ RegionSet join(Array<RegionSet> parts, RegionSet spare, PolygonRows* rows) {
     for (const Polygon& polygon : polygons) rows->joined.push_back(polygon.row);
   }
   RegionSet result = emptied(std::move(spare));
-  resize_in_large_pages(result.points, points);
+  resize_with_zeros(result.points, points);
   result.contour_ends.resize(contours);
   result.polygon_ends.resize(polygons.size());
   std::uint32_t point = 0, contour = 0;

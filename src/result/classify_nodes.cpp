@@ -50,7 +50,7 @@ class TraceFinder {
   }
 
   void flag_touches() {
-    resize_in_large_pages(degree_, graph_.node_count());
+    resize_with_zeros(degree_, graph_.node_count());
     for_ranges(graph_.node_count(), elements_a_task, [&](std::size_t begin, std::size_t end) {
       for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
         std::uint32_t degree = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/fetch.h"
+#include "base/index.h"
 #include "base/large_pages.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
@@ -191,9 +192,9 @@ class Linker {
       contours += static_cast<std::uint32_t>(part.ends.size());
       linked.walk_count += part.walk_count;
     }
-    resize_in_large_pages(linked.descriptors, descriptors);
-    resize_in_large_pages(linked.ends, contours);
-    resize_in_large_pages(linked.walk, contours);
+    resize_with_zeros(linked.descriptors, descriptors);
+    resize_with_zeros(linked.ends, contours);
+    resize_with_zeros(linked.walk, contours);
     for_ranges(collectors.size(), 1, [&](std::size_t i, std::size_t past) {
       for (; i < past; ++i) {
         const WalkCollector& part = collectors[i];

@@ -31,8 +31,8 @@ void write_chain(const ChainGraph& graph, const Array<std::uint8_t>& node_flags,
 
 Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const LinkedContours& linked) {
   const Array<Descriptor>& descriptors = linked.descriptors;
-  LargeArray<std::uint32_t> ends;  // by descriptor: the end of its vertices in the rings
-  resize_in_large_pages(ends, descriptors.size());
+  LargeArray<std::uint32_t> ends;  // by descriptor: past its vertices in the rings
+  resize_uninitialized(ends, descriptors.size());
   for_ranges(ends.size(), tuning::ring_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Chain& chain = graph.chains[chain_of(descriptors[i])];
@@ -43,7 +43,7 @@ Rings contours_to_rings(const ChainGraph& graph, const NodeKinds& kinds, const L
   Rings rings;
   rings.ends.reserve(linked.ends.size());
   for (const std::uint32_t end : linked.ends) rings.ends.push_back(ends[end - 1]);
-  resize_in_large_pages(rings.points, ends.empty() ? 0 : ends.back());
+  resize_uninitialized(rings.points, ends.empty() ? 0 : ends.back());
   rings.flags.resize(rings.points.size(), 0);
   for_ranges(ends.size(), grain(ends.size(), rings.points.size()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

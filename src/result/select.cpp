@@ -12,7 +12,7 @@ Selection select(const ChainGraph& graph, const LargeArray<Winding>& right, Oper
     return admits(operation, is_inside(options.fill_a, w.a), is_inside(options.fill_b, w.b));
   };
   Selection selection;
-  resize_in_large_pages(selection, graph.chains.size());
+  resize_uninitialized(selection, graph.chains.size());
   for_ranges(graph.chains.size(), tuning::selected_chains_a_task, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
       selection[c] = none;

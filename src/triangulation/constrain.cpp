@@ -14,7 +14,7 @@ namespace {
 class Constraining {
  public:
   Constraining(Mesh& mesh, std::span<const Constraint> constraints)
-      : mesh_(mesh), constraints_(constraints), leaving_(mesh.points.size(), no_index), pocket_(mesh, leaving_) {
+      : mesh_(mesh), constraints_(constraints), leaving_(mesh.points.size(), none), pocket_(mesh, leaving_) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       for (std::uint32_t i = 0; i < 3; ++i)
         if (mesh.triangles[t].vertex[i] != infinite_vertex) leaving_[mesh.triangles[t].vertex[i]] = half_edge(t, i);
@@ -27,7 +27,7 @@ class Constraining {
     for (std::uint32_t k = 0; k < constraints_.size(); ++k) {
       steps();
       sides[k] = find(constraints_[k]);
-      if (sides[k] == no_index)
+      if (sides[k] == none)
         missing.push_back(k);
       else
         mark(sides[k]);
@@ -46,7 +46,7 @@ class Constraining {
 
  private:
   bool is_at(HalfEdge h, const Constraint& c) const {
-    return h != no_index && mesh_.origin(h) == c.from && mesh_.target(h) == c.to;
+    return h != none && mesh_.origin(h) == c.from && mesh_.target(h) == c.to;
   }
 
   void mark(HalfEdge h) {
@@ -54,8 +54,8 @@ class Constraining {
     mesh_.set_constrained(mesh_.twin(h));
   }
 
-  /// The side from c.from to c.to, or no_index. Searches around both ends in parallel, so the cost is the smaller of
-  /// the two degrees. So a hub with many spokes takes linear time.
+  /// The side from c.from to c.to, or none. Looks around both ends in step, so the cost is the
+  /// smaller of the two degrees: a hub with many spokes stays linear.
   HalfEdge find(const Constraint& c) const {
     const HalfEdge first_from = leaving_[c.from], first_to = leaving_[c.to];
     HalfEdge h = first_from, g = first_to;
@@ -65,11 +65,11 @@ class Constraining {
       h = mesh_.clockwise(h);
       g = mesh_.clockwise(g);
     } while (h != first_from && g != first_to);
-    return no_index;
+    return none;
   }
 
   void insert(const Constraint& c) {
-    if (const HalfEdge h = find(c); h != no_index) return mark(h);  // an earlier pocket has made it a side
+    if (const HalfEdge h = find(c); h != none) return mark(h);  // a pocket made it a side meanwhile
     const HalfEdge crossed = first_crossed(c);
     take_crossed(mesh_.apex(crossed) == c.from ? c : Constraint{c.to, c.from}, crossed);
     suspects_.clear();

@@ -26,7 +26,7 @@ class Insertion {
   }
 
   Mesh run() {
-    resize_in_large_pages(mesh_.vertex_of, order_.size());
+    resize_with_zeros(mesh_.vertex_of, order_.size());
     if (first_triangle()) {
       Steps steps(order_.size());
       for (std::uint32_t i = 3; i < order_.size(); ++i) {

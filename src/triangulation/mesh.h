@@ -16,11 +16,12 @@
 #include <cstdint>
 
 #include "base/call_memory.h"
+#include "base/index.h"
 
 namespace oblast::internal::triangulation {
 
-inline constexpr std::uint32_t infinite_vertex = 0xffffffff;
-inline constexpr std::uint32_t no_index = 0xffffffff;
+/// The vertex at infinity is no point, so it has no index among them.
+inline constexpr std::uint32_t infinite_vertex = none;
 
 using HalfEdge = std::uint32_t;
 constexpr std::uint32_t triangle_of(HalfEdge h) { return h >> 2; }

@@ -29,23 +29,22 @@ void Pocket::take(std::uint32_t triangle) {
 void Pocket::read(const Array<HalfEdge>& half_edges, Border& border) {
   border.clear();
   for (const HalfEdge h : half_edges)
-    border.push_back({mesh_.origin(h), mesh_.twin(h), no_index, mesh_.is_constrained(h) ? 1U : 0U});
-  // The vertices of removed triangles are no longer needed. The origin of a half-edge now stores its index in the
-  // border.
+    border.push_back({mesh_.origin(h), mesh_.twin(h), none, mesh_.is_constrained(h) ? 1U : 0U});
+  // Triangles taken out need their vertices no more: a half-edge's origin now holds its place in the border.
   for (std::uint32_t i = 0; i < half_edges.size(); ++i)
     mesh_.triangles[triangle_of(half_edges[i])].vertex[side_of(half_edges[i])] = i;
   for (Side& side : border) {
     const Triangle& beyond = mesh_.triangles[triangle_of(side.beyond)];
     if (beyond.mark != taken_out) continue;
     side.partner = beyond.vertex[side_of(side.beyond)];
-    side.beyond = no_index;
+    side.beyond = none;
   }
 }
 
 std::uint32_t Pocket::make_triangle(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   const std::uint32_t t = free_.back();
   free_.pop_back();
-  mesh_.triangles[t] = {{x, y, z}, 0, {no_index, no_index, no_index}, 0};
+  mesh_.triangles[t] = {{x, y, z}, 0, {none, none, none}, 0};
   leaving_[x] = half_edge(t, 0);
   leaving_[y] = half_edge(t, 1);
   leaving_[z] = half_edge(t, 2);
@@ -54,12 +53,12 @@ std::uint32_t Pocket::make_triangle(std::uint32_t x, std::uint32_t y, std::uint3
 
 void Pocket::attach(HalfEdge made, const Side& side, Border& border) {
   mesh_.triangles[triangle_of(made)].constrained |= side.constrained << side_of(made);
-  if (side.partner == no_index) {
+  if (side.partner == none) {
     mesh_.join(made, side.beyond);
     return;
   }
   const Side& partner = border[side.partner];
-  if (partner.beyond != no_index)
+  if (partner.beyond != none)
     mesh_.join(made, partner.beyond);
   else
     border[partner.partner].beyond = made;
@@ -79,7 +78,7 @@ HalfEdge Pocket::fill_one(Border& border, std::uint32_t end, Array<HalfEdge>& ne
       const std::uint32_t t = make_triangle(x, y, z);
       attach(half_edge(t, 0), before, border);
       attach(half_edge(t, 1), side, border);
-      side = {x, half_edge(t, 2), no_index, 0};
+      side = {x, half_edge(t, 2), none, 0};
       new_sides.push_back(side.beyond);
     }
     stack_.push_back(side);

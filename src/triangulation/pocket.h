@@ -35,8 +35,8 @@ class Pocket {
   /// A side of the border whose inner triangle is not yet made.
   struct Side {
     std::uint32_t origin;
-    HalfEdge beyond;        ///< the half-edge on its other side; if the side dangles, its own, after it is made
-    std::uint32_t partner;  ///< if the side dangles, its other index in the border; otherwise no_index
+    HalfEdge beyond;        ///< the half-edge on its other side. Where it dangles: its own, once there is one
+    std::uint32_t partner;  ///< where it dangles: its other place in the border; else none
     std::uint32_t constrained;
   };
   using Border = Array<Side>;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <utility>
 
+#include "base/counting_sort.h"
 #include "base/large_pages.h"
 #include "base/tuning.h"
 #include "plane/curve_order.h"
@@ -28,12 +28,11 @@ int round_of(std::uint32_t index) { return std::min(std::countr_zero(mixed(index
 
 Array<std::uint32_t> spatial_order(std::span<const Point> points) {
   const LargeArray<Keyed> curve = curve_order(points);
-  std::array<std::uint32_t, most_rounds> place{};
-  for (const Keyed& k : curve) ++place[round_of(k.index)];
-  std::uint32_t sum = 0;
-  for (int round = most_rounds - 1; round >= 0; --round) place[round] = std::exchange(sum, sum + place[round]);
-  Array<std::uint32_t> order(points.size());
-  for (const Keyed& k : curve) order[place[round_of(k.index)]++] = k.index;
+  std::array<std::uint32_t, most_rounds> ends;
+  Array<std::uint32_t> order;
+  counting_sort(ends, order, [&](const auto& visit) {
+    for (const Keyed& k : curve) visit(most_rounds - 1 - round_of(k.index), k.index);
+  });
   return order;
 }
 

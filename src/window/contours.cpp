@@ -18,12 +18,11 @@ namespace {
 
 /// Flags every vertex whose point occurs more than once.
 void flag_repeated(std::span<const Point> points, Array<std::uint8_t>& flags) {
-  constexpr std::uint32_t free = 0xffffffff;
-  Array<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), free);
+  Array<std::uint32_t> slots(std::bit_ceil(points.size() * 2 + 2), none);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     for (std::uint64_t slot = hash(points[v]);; ++slot) {
       std::uint32_t& entry = slots[slot & (slots.size() - 1)];
-      if (entry == free) {
+      if (entry == none) {
         entry = v;
         break;
       }

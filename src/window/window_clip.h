@@ -14,7 +14,7 @@
 //
 // What does not count is not looked at closely. Let the *reach* be the box of all edges that come near the window.
 // Of edges that stay outside the reach only the parity of crossings of a ray from the window's first corner is taken:
-// noding may cut such an edge, but its pieces stay in its box (DESIGN section 4), so out of the reach.
+// noding may cut such an edge, but its pieces stay in its box (docs/guarantees.md), so out of the reach.
 #pragma once
 
 #include <oblast/options.h>
@@ -90,17 +90,16 @@ class WindowClip {
   bool walk_block(Index ring, Index first, Index last, bool& inside);
   bool cross_window(Index ring, Index edge);
   bool is_clear_at(const Point& x, Index side, const Ring& ring, Index edge) const;
-  static Box around(const Box& a, const Box& b) {
-    return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-  }
-  Box grown(const Box& b) const { return {b.x0 - gap_, b.y0 - gap_, b.x1 + gap_, b.y1 + gap_}; }
 
   // window_clear.cpp
   bool core_is_clear() const;
   bool every_pair_is_clear() const;
-  bool near_pairs_are_clear() const;
   bool edge_is_clear(const Ring& a, Index i, const Ring& b, Index first, Index last) const;
   bool pair_is_clear(const Ring& a, Index i, const Ring& b, Index j) const;
+
+  // window_near_pairs.cpp
+  class NearPairs;
+  bool near_pairs_are_clear() const;
 
   // window_join.cpp
   bool order_along_perimeter();

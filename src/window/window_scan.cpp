@@ -48,12 +48,12 @@ void WindowClip::measure() {
         // Two boxes at once: neither need wait for the other's last comparison.
         Box even = Box::of(end, end), odd = even;
         for (Index i = first; i + 1 < last; i += 2) {
-          even = around(even, {points[i].x, points[i].y, points[i].x, points[i].y});
-          odd = around(odd, {points[i + 1].x, points[i + 1].y, points[i + 1].x, points[i + 1].y});
+          even = even.joined(points[i]);
+          odd = odd.joined(points[i + 1]);
         }
-        even = around(even, Box::of(points[last - 1], points[last - 1]));
-        blocks_.push_back(around(even, odd));
-        all = around(all, blocks_.back());
+        even = even.joined(points[last - 1]);
+        blocks_.push_back(even.joined(odd));
+        all = all.joined(blocks_.back());
       }
     }
   }
@@ -62,7 +62,7 @@ void WindowClip::measure() {
 
 /// The reach, and the parity of every polygon. False when nothing comes near.
 bool WindowClip::find_reach(Operation operation) {
-  const Box near = grown(window_.box());
+  const Box near = window_.box().widened(gap_);
   const Point ray = window_.corner(0);  // upward from here
   bool any = operation != Operation::intersection;
   Box reach = near;
@@ -72,7 +72,7 @@ bool WindowClip::find_reach(Operation operation) {
       const Box& block = blocks_[b];
       if (block.x0 <= ray.x && block.x1 > ray.x && block.y1 > ray.y) count_parity(ring, first, last);
       if (operation != Operation::intersection) {
-        reach = around(reach, block);
+        reach = reach.joined(block);
         continue;
       }
       if (!near.meets(block)) continue;
@@ -80,11 +80,11 @@ bool WindowClip::find_reach(Operation operation) {
         const Box edge = Box::of(ring.from(i), ring.to(i));
         if (!near.meets(edge)) continue;
         any = true;
-        reach = around(reach, edge);
+        reach = reach.joined(edge);
       }
     }
   }
-  reach_ = grown(reach);
+  reach_ = reach.widened(gap_);
   return any;
 }
 
@@ -139,7 +139,7 @@ bool WindowClip::cross_window(Index r, Index edge) {
   const Ring& ring = rings_[r];
   const Point &p = ring.from(edge), &q = ring.to(edge);
   const std::size_t before = crossings_.size();
-  const bool clear = window_.each_side_near(grown(Box::of(p, q)), [&](Index side) {
+  const bool clear = window_.each_side_near(Box::of(p, q).widened(gap_), [&](Index side) {
     const Point &c = window_.corner(side), &d = window_.corner_after(side);
     if (!is_far(p, c, d, gap_) || !is_far(q, c, d, gap_) || !is_far(c, p, q, gap_) || !is_far(d, p, q, gap_))
       return false;
@@ -163,11 +163,11 @@ bool WindowClip::cross_window(Index r, Index edge) {
 /// its own. (Of A's other edges only the neighbours can come nearer to x than to the whole edge.)
 bool WindowClip::is_clear_at(const Point& x, Index side, const Ring& ring, Index edge) const {
   const Point &c = window_.corner(side), &d = window_.corner_after(side);
-  const bool sides_are_far = window_.each_side_near(grown(Box::of(x, x)), [&](Index s) {
+  const bool sides_are_far = window_.each_side_near(Box::of(x, x).widened(gap_), [&](Index s) {
     return s == side || is_far(x, window_.corner(s), window_.corner_after(s), gap_);
   });
   if (!sides_are_far) return false;
-  const Box side_box = grown(Box::of(c, d));
+  const Box side_box = Box::of(c, d).widened(gap_);
   for (Index s = 0; s < window_.size(); ++s) {
     const Point& corner = window_.corner(s);
     if (side_box.meets(Box::of(corner, corner)) && corner != c && corner != d && !is_far(corner, c, d, gap_))

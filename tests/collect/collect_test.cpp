@@ -150,7 +150,7 @@ TEST(Collect, underWindingRulesContoursEnterAsDirected) {
       EXPECT_EQ(strands.change[s], (Winding{1, 0}));
       EXPECT_EQ(strands.group[s], noding::any_group);
     }
-    EXPECT_EQ(strands.rules.a, rule == FillRule::even_odd());
+    EXPECT_EQ(strands.rules.parity_a, rule == FillRule::even_odd());
   }
 }
 

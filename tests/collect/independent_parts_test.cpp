@@ -196,7 +196,7 @@ TEST(IndependentParts, batchesHoldTheirStrandsUnchanged) {
   std::size_t i = 0;
   for (std::size_t b = 0; b < parts.size(); ++b) {
     const Strands batch = batch_of(strands, parts, b);
-    EXPECT_TRUE(batch.rules.a && !batch.rules.b);
+    EXPECT_TRUE(batch.rules.parity_a && !batch.rules.parity_b);
     for (std::size_t k = 0; k < batch.size(); ++k, ++i) {
       const std::uint32_t s = parts.strands[i];
       EXPECT_EQ(batch.change[k], strands.change[s]);
@@ -229,7 +229,7 @@ TEST(IndependentParts, aBatchMovedTogetherIsTheOneCopied) {
     EXPECT_EQ(moved.change, copied.change);
     EXPECT_EQ(moved.group, copied.group);
     EXPECT_EQ(moved.simplicity, copied.simplicity);
-    EXPECT_TRUE(moved.rules.a && !moved.rules.b);
+    EXPECT_TRUE(moved.rules.parity_a && !moved.rules.parity_b);
   }
 }
 

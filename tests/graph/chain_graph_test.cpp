@@ -35,7 +35,7 @@ void expect_counter_clockwise(const ChainGraph& graph, std::uint32_t node) {
 void expect_changes_cancel(const ChainGraph& graph, std::uint32_t node) {
   Winding sum;
   for (const Descriptor d : graph.list(node)) sum = sum + graph.change(d);
-  ASSERT_TRUE(graph.strands.parity.reduce(sum).is_zero()) << sum.a << " " << sum.b;
+  ASSERT_TRUE(graph.strands.rules.reduce(sum).is_zero()) << sum.a << " " << sum.b;
 }
 
 void expect_consistent(const ChainGraph& graph) {

@@ -82,7 +82,7 @@ TEST_F(TooMany, strandsThatRepeatedEdgesLeave) {
   Strands strands = zigzag(most_indices - 2);
   strands.close_strand({1, 0}, noding::any_group);
   noding::IdenticalEdges identical;
-  identical.first_of.assign(strands.points.size() - 1, 0xffffffff);
+  identical.first_of.assign(strands.points.size() - 1, none);
   identical.sum.assign(strands.points.size() - 1, {2, 0});
   for (std::uint32_t e = 0; e < identical.first_of.size(); e += 2) identical.first_of[e] = e;
   EXPECT_EQ(too_many([&] { noding::merge_identical_edges(strands, identical); }),

@@ -25,7 +25,7 @@ TEST(InsertCuts, putsVerticesInTheirEdges) {
   Strands strands = strands_of({{{0, 0}, {4, 0}, {4, 4}}, {{9, 9}, {8, 8}}}, {2, -1}, 7);
   strands.flags[0] = near_flag;
   strands.flags[1] = moved_flag | node_flag;
-  strands.parity = {true, false};
+  strands.rules = {true, false};
   const std::vector<EdgeCut> cuts = {cut(0, {1, 0}), cut(0, {3, 0}), cut(3, {8.5, 8.5})};
   Strands pieces = strands;
   insert_cuts(pieces, cuts);
@@ -39,7 +39,7 @@ TEST(InsertCuts, putsVerticesInTheirEdges) {
   EXPECT_EQ(pieces.origin, (Array<std::uint32_t>{0, 0, 0, 1, 2, 3, 3, 4}));
   EXPECT_EQ(pieces.change, strands.change);
   EXPECT_EQ(pieces.group, strands.group);
-  EXPECT_TRUE(pieces.parity.a);
+  EXPECT_TRUE(pieces.rules.parity_a);
 }
 
 TEST(InsertCuts, keepsTheOriginOfEarlierRounds) {

@@ -36,7 +36,7 @@ std::map<EdgeKey, std::pair<int, int>> changes_of(const Strands& strands) {
     }
   }
   for (auto& [edge, sum] : sums) {
-    const Winding w = strands.parity.reduce({sum.first, sum.second});
+    const Winding w = strands.rules.reduce({sum.first, sum.second});
     sum = {w.a, w.b};
   }
   std::erase_if(sums, [](const auto& entry) { return entry.second == std::pair(0, 0); });
@@ -74,12 +74,12 @@ TEST(MergeIdenticalEdges, equalEdgesAddUp) {
 TEST(MergeIdenticalEdges, underParityTwoOfADirectionCancel) {
   Strands strands = strands_of({{{0, 0}, {1, 1}}, {{0, 0}, {1, 1}}});
   strands.change = {{1, 1}, {1, 1}};
-  strands.parity = {true, false};
+  strands.rules = {true, false};
   const Strands merged = merge_identical_edges(strands);
   ASSERT_EQ(merged.size(), 1u);
   EXPECT_EQ(merged.change[0], (Winding{0, 2}));
-  EXPECT_TRUE(merged.parity.a);
-  strands.parity = {true, true};
+  EXPECT_TRUE(merged.rules.parity_a);
+  strands.rules = {true, true};
   EXPECT_EQ(merge_identical_edges(strands).size(), 0u);
 }
 
@@ -97,7 +97,7 @@ TEST(MergeIdenticalEdges, keepsTheWindingOfEveryEdge) {
     }
     Strands strands = strands_of(paths);
     for (Winding& change : strands.change) change = {random.one_in(2) ? 1 : -1, random.between(-1, 2)};
-    strands.parity = {random.one_in(2), random.one_in(2)};
+    strands.rules = {random.one_in(2), random.one_in(2)};
     const Strands merged = merge_identical_edges(strands);
     ASSERT_EQ(changes_of(merged), changes_of(strands));
     ASSERT_EQ(edges_of(merged).size(), changes_of(strands).size());  // each once, none of change 0

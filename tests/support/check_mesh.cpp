@@ -107,12 +107,12 @@ Mesh to_mesh(const Triangulation& t) {
   Mesh m;
   m.points.assign(t.points.begin(), t.points.end());
   for (std::size_t i = 0; i < t.triangles.size(); ++i) {
-    Triangle triangle{{t.triangles[i][0], t.triangles[i][1], t.triangles[i][2]}, 0, {no_index, no_index, no_index}, 0};
+    Triangle triangle{{t.triangles[i][0], t.triangles[i][1], t.triangles[i][2]}, 0, {none, none, none}, 0};
     for (std::uint32_t s = 0; s < 3; ++s) triangle.constrained |= (t.is_side[i][s] ? 1U : 0U) << s;
     m.triangles.push_back(triangle);
   }
   std::vector<HalfEdge> ghost_at(t.points.size(),
-                                 no_index);  // by hull vertex: the ghost side that leaves it for infinity
+                                 none);  // by hull vertex: the ghost side that leaves it for infinity
   const auto real = static_cast<std::uint32_t>(t.triangles.size());
   for (std::uint32_t i = 0; i < real; ++i) {
     for (std::uint32_t s = 0; s < 3; ++s) {

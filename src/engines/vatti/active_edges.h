@@ -36,7 +36,7 @@ class ActiveEdges {
   /// The vertices of bounds are read from `points` as the scan line moves.
   explicit ActiveEdges(std::span<const Point> points) : points_(points) {
     nodes_.push_back({});
-    nodes_[ground].priority = 0xffffffff;
+    nodes_[ground].priority = std::numeric_limits<std::uint32_t>::max();
   }
 
   ActiveEdge& operator[](Slot slot) { return nodes_[slot].edge; }
