@@ -2,8 +2,6 @@
 .DEFAULT_GOAL := help
 .PHONY: help install build demo test tiny golden sanitize thread format lint bench fuzz clean
 
-PROGRAM := build/release/apps/oblast/oblast
-
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 12
 
@@ -15,8 +13,8 @@ build: install  ## the program, the library and the tests, in build/release
 	@cmake --preset release > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
 	@cmake --build --preset release
 
-demo: build  ## a month of fires: generated, united, checked and drawn into build/demo
-	@tools/demo $(PROGRAM) build/demo
+demo:  ## the program alone is built; a month of fires is generated, united, checked and drawn into build/demo
+	@tools/demo
 
 test: build  ## every test, with totals
 	@tools/test release
