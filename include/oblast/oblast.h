@@ -1,7 +1,8 @@
-// Overlays, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers' other algorithms have
+// Overlays, checks of results, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers' other algorithms have
 // headers of their own: classics.h, hull.h, layers.h. c.h is the C interface.
 #pragma once
 
+#include <oblast/check.h>
 #include <oblast/domain.h>
 #include <oblast/error.h>
 #include <oblast/locator.h>
