@@ -1,5 +1,5 @@
-// Overlays, checks of results, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers' other algorithms have
-// headers of their own: classics.h, hull.h, layers.h. c.h is the C interface.
+// Overlays, checks of results, triangulation, point-in-region queries, WKT and WKB, with all they need. The papers'
+// other algorithms have headers of their own: classics.h, hull.h, layers.h. c.h is the C interface.
 #pragma once
 
 #include <oblast/check.h>

@@ -20,8 +20,10 @@ struct PublicFunction {
 
   /// Two work without options of a call, so no option can stop them.
   bool takes_options() const { return name != "signed_area" && name != "RegionBuilder"; }
-  /// These two need no memory, and neither does the third.
-  bool takes_memory() const { return takes_options() && name != "bounds"; }
+  /// Others return numbers or a report: they may do with the memory that a small call brings with it, or with none.
+  bool returns_much() const {
+    return takes_options() && name != "area" && name != "bounds" && !name.starts_with("check");
+  }
 };
 
 /// Of any operands: overlays by each engine and into a result, unions, checks, hulls, layers, triangulations, areas and
