@@ -1,8 +1,6 @@
 # What a person types. Everything is done by CMake, CTest and the scripts in tools/.
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test tiny golden sanitize thread format lint bench fuzz clean
-
-PROGRAM := build/release/apps/oblast/oblast
+.PHONY: help install build demo test package tiny golden sanitize thread format lint bench fuzz clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 12
@@ -15,14 +13,21 @@ build: install  ## the program, the library and the tests, in build/release
 	@cmake --preset release > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
 	@cmake --build --preset release
 
-demo: build  ## a month of fires: generated, united, checked and drawn into build/demo
-	@tools/demo $(PROGRAM) build/demo
+demo:  ## the program alone is built; a month of fires is generated, united, checked and drawn into build/demo
+	@tools/demo
 
 test: build  ## every test, with totals
 	@tools/test release
 
 golden: install  ## writes the golden digests anew: after a change of bytes that is meant (CONTRIBUTING.md)
 	@tools/golden --write
+
+package:  ## the Debian package, in build/package
+	@tools/install --package
+	@mkdir -p build
+	@cmake --preset package > build/configure.log 2>&1 || (cat build/configure.log; exit 1)
+	@cmake --build --preset package
+	@cd build/package && cpack
 
 tiny: install  ## the tests with all constants of src/base/tuning.h tiny; SEED=7: drawn at random
 	@tools/tiny $(if $(SEED),random $(SEED),tiny)

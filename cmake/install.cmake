@@ -16,11 +16,10 @@ write_basic_package_version_file(oblastConfigVersion.cmake COMPATIBILITY SameMin
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/oblastConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/oblastConfigVersion.cmake
   DESTINATION ${cmake_folder})
 
-# pkg-config: a static library brings oneTBB to the link; a shared one has it inside its own list of libraries.
-if(BUILD_SHARED_LIBS)
-  set(requires "Requires.private")
-else()
-  set(requires "Requires")
+# pkg-config: a static library brings oneTBB to the link. A shared one has it in its own list of libraries, and whoever
+# uses it needs no headers of oneTBB; as Requires.private they would have to be there, for pkg-config looks for them.
+if(NOT BUILD_SHARED_LIBS)
+  set(requires "Requires: tbb")
 endif()
 configure_file(cmake/oblast.pc.in oblast.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/oblast.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -61,5 +60,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libtbb-dev, pkg-config, cmake")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, pkg-config, cmake")
 include(CPack)

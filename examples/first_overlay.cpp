@@ -17,7 +17,11 @@ int main() {
   // Points, where each contour ends in them, and where each polygon ends in the contours.
   const oblast::RegionSet a{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {4}, {1}};
   const oblast::RegionSet b{{{2, 2}, {6, 2}, {6, 6}, {2, 6}}, {4}, {1}};
+  const oblast::RegionSet r = oblast::overlay(a, b, oblast::Operation::difference);
+  // r.points: (0 0) (4 0) (4 2) (2 2) (2 4) (0 4)
+  if (const auto fault = oblast::check(r).fault) std::puts(fault->message.c_str());  // closed, valid and canonical?
+
+  print("difference", r);
   print("intersection", oblast::overlay(a, b, oblast::Operation::intersection));
-  print("difference", oblast::overlay(a, b, oblast::Operation::difference));
   print("union", oblast::overlay(a, b, oblast::Operation::unite));
 }

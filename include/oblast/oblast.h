@@ -2,6 +2,7 @@
 // their own: classics.h, hull.h, layers.h. The C interface is c.h.
 #pragma once
 
+#include <oblast/check.h>
 #include <oblast/domain.h>
 #include <oblast/error.h>
 #include <oblast/features.h>

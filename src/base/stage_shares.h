@@ -12,4 +12,7 @@ inline constexpr double node_share = 0.6, label_share = 0.1, select_share = 0.03
 // The share in a triangulation of the union that comes first.
 inline constexpr double union_share = 0.5;
 
+// Of a check, of what the steps before leave. Not measured.
+inline constexpr double check_meetings_share = 0.6, check_faces_share = 0.9;
+
 }  // namespace oblast::internal

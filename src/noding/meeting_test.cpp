@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "exact/intersection_point.h"
 #include "exact/orientation.h"
 #include "noding/clearance.h"
-#include "plane/edges_in.h"
+#include "noding/edge_pairs.h"
 
 namespace oblast::internal::noding {
 
@@ -29,27 +28,8 @@ MeetingTest::MeetingTest(Strands& strands, Settling settling, Found& found, Cont
       seeks_identical_(first && first->seeks_identical),
       seeks_tangled_(first && first->seeks_tangled) {}
 
-/// First, without branches, the edges of each run that reach into the box of the other: usually few.
 void MeetingTest::test_runs(const RunPair& pair) {
-  static_assert(longest_run <= 32);
-  const bool one_p = pair.last_p - pair.first_p == 1, one_q = pair.last_q - pair.first_q == 1;
-  if (one_p && one_q) {
-    test_edges(pair.first_p, pair.first_q);
-    return;
-  }
-  const std::uint32_t in_q =
-      one_p ? 1 : edges_in(box_of(pair.first_q, pair.last_q), points_, pair.first_p, pair.last_p);
-  if (in_q == 0) return;
-  const std::uint32_t in_p =
-      one_q ? 1 : edges_in(box_of(pair.first_p, pair.last_p), points_, pair.first_q, pair.last_q);
-  const bool boxes_meet = one_p || one_q;
-  for (std::uint32_t p = in_q; p != 0; p &= p - 1) {
-    const std::uint32_t i = pair.first_p + static_cast<std::uint32_t>(std::countr_zero(p));
-    for (std::uint32_t q = in_p; q != 0; q &= q - 1) {
-      const std::uint32_t j = pair.first_q + static_cast<std::uint32_t>(std::countr_zero(q));
-      if (boxes_meet || box_of(i, i + 1).meets(box_of(j, j + 1))) test_edges(i, j);
-    }
-  }
+  for_edge_pairs(points_, pair, [this](std::uint32_t i, std::uint32_t j) { test_edges(i, j); });
 }
 
 //        d                 a, b: ends of edge i;  c, d: ends of edge j

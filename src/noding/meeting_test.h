@@ -81,8 +81,6 @@ class MeetingTest {
     met_ = true;
     contacts_.push_back({edge, sine, at}, contact_count_);
   }
-  /// Of a run between two vertices.
-  Box box_of(std::uint32_t first, std::uint32_t last) const { return Box::of(points_[first], points_[last]); }
 
   Strands& strands_;
   const Point* points_;

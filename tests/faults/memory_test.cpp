@@ -12,6 +12,7 @@
 #include "faults/inputs.h"
 #include "generators/hostile.h"
 #include "generators/random.h"
+#include "support/public_functions.h"
 
 namespace oblast::testing {
 namespace {
@@ -104,7 +105,21 @@ TEST(OutOfMemory, atAnyAllocationOfTheOtherFunctionsLeavesNothingBehind) {
   }
 }
 
-// Here the allocation that fails differs from run to run.
+TEST(OutOfMemory, atAnyAllocationOfAnyPublicFunctionLeavesNothingBehind) {
+  const RegionSet convex = box(-0.5, -0.5, 0.5, 0.5);
+  CallOptions options;
+  options.threads = 1;
+  for (const int size : {small_size, large_size}) {
+    const auto [a, b] = generators::coverages(6, size);
+    for (const PublicFunction& function : public_functions(a, b, convex)) {
+      SCOPED_TRACE(function.name);
+      // What the function returned is written down in memory of its own, so there is always something that can fail.
+      fail_every_allocation_of([&] { return function.call(options); }, fewest_of_small);
+    }
+  }
+}
+
+// Which allocation fails differs from run to run here.
 TEST_P(OutOfMemory, inAnyThreadLeavesNothingBehind) {
   generators::Random random(4);
   constexpr Operation operations[] = {Operation::symmetric_difference, Operation::intersection, Operation::unite,

@@ -1,6 +1,7 @@
 // Runs one hostile case: all four operations, with every promise that can be checked quickly.
 #include "generators/trial.h"
 
+#include <oblast/check.h>
 #include <oblast/domain.h>
 #include <oblast/overlay.h>
 #include <oblast/workspace.h>
@@ -52,6 +53,10 @@ std::optional<Failure> run_operation(const Operands& operands, Operation operati
   if (const auto fault = verify::check_result(result, request.contours)) {
     return broken(Broken::unverified, fault->what);
   }
+  CheckOptions check_options;
+  check_options.contours = request.contours;
+  if (const auto fault = check(result, check_options).fault)
+    return broken(Broken::unverified, "oblast::check, but not verify/: " + fault->message);
   if (unite(result, again(options)) != result) return broken(Broken::not_idempotent, "unite(result) is not result");
 
   // With differences: another order, other threads, and memory that earlier calls have kept.

@@ -12,7 +12,8 @@ int main() {
   const oblast::RegionSet b{{{2, 2}, {6, 2}, {6, 6}, {2, 6}}, {4}, {1}};
   const oblast::RegionSet difference = oblast::overlay(a, b, oblast::Operation::difference);
   const bool right = oblast::signed_area(difference) == 12 && oblast::hull(difference).points.size() == 5 &&
-                     oblast::layers(a).count == 1 && oblast::triangulate(a).triangles.size() == 2;
+                     oblast::layers(a).count == 1 && oblast::triangulate(a).triangles.size() == 2 &&
+                     oblast::check(difference).is_valid();
   bool refused = false;
   try {
     const oblast::RegionSet bad{{{0, 0}, {1, 0}}, {3}, {1}};

@@ -3,9 +3,9 @@
 #include <oblast/classics.h>
 #include <oblast/hull.h>
 #include <oblast/layers.h>
-#include <oblast/overlay.h>
-#include <oblast/triangulate.h>
+#include <oblast/oblast.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace oblast::testing {
@@ -35,6 +35,46 @@ class BitWriter {
     add(r.points);
     add(r.contour_ends);
     add(r.polygon_ends);
+  }
+  void add(const std::string& text) {
+    bits.push_back(text.size());
+    for (const char letter : text) bits.push_back(static_cast<unsigned char>(letter));
+  }
+  void add(std::byte b) { bits.push_back(std::to_integer<std::uint64_t>(b)); }
+  void add(Location location) { bits.push_back(static_cast<std::uint64_t>(location)); }
+  void add(const std::optional<Box>& box) {
+    add(box.has_value());
+    if (box) add(std::array{box->x0, box->y0, box->x1, box->y1});
+  }
+  void add(const Place& place) {
+    for (const std::size_t i : {place.polygon, place.contour, place.vertex}) bits.push_back(i);
+  }
+  void add(const CheckReport& report) {
+    add(report.is_valid());
+    if (!report.fault) return;
+    bits.push_back(static_cast<std::uint64_t>(report.fault->kind));
+    add(report.fault->place);
+    add(report.fault->other);
+    add(report.fault->point);
+    add(report.fault->message);
+  }
+  void add(const FeatureKey& key) {
+    add(key.a);
+    add(key.b);
+  }
+  void add(const FeatureSource& source) {
+    add(source.layer);
+    add(source.feature);
+  }
+  void add(const FeatureSet& features) {
+    add(features.regions);
+    add(features.feature_ends);
+    add(features.keys);
+  }
+  void add(const Partition& found) {
+    add(found.rows);
+    add(found.source_ends);
+    add(found.sources);
   }
   void add(const Layers& l) {
     add(l.layer);
@@ -73,6 +113,76 @@ RegionSet moved(const RegionSet& regions) {
   return result;
 }
 
+/// The points of the regions, and places between them.
+std::vector<Point> queries_of(const RegionSet& regions) {
+  std::vector<Point> queries = regions.points;
+  for (std::size_t i = 0; i + 1 < regions.points.size(); ++i)
+    queries.push_back({regions.points[i].x, regions.points[i + 1].y});
+  return queries;
+}
+
+/// Those that take regions from callers who have them otherwise, or who want to know something of them.
+template <class Add>
+void add_others(const Add& add, const RegionSet& a, const RegionSet& b) {
+  add("overlay into a result", [&](const CallOptions& call) {
+    RegionSet result = b;
+    overlay(a, b, Operation::symmetric_difference, with<Options>(call), result);
+    return result;
+  });
+  add("unite into a result", [&](const CallOptions& call) {
+    RegionSet result = b;
+    unite(a, with<Options>(call), result);
+    return result;
+  });
+  add("check", [&](const CallOptions& call) { return check(a, with<CheckOptions>(call)); });
+  add("check a result",
+      [result = unite(a)](const CallOptions& call) { return check(result, with<CheckOptions>(call)); });
+  add("area", [&](const CallOptions& call) { return area(a, call); });
+  add("bounds", [&](const CallOptions& call) { return bounds(a, call); });
+  // Prepared now: text and bytes are the same in whatever modes they are read.
+  const std::string text = to_wkt(a);
+  const std::vector<std::byte> bytes = to_wkb(a);
+  const std::vector<Point> queries = queries_of(a);
+  add("to_wkt", [&](const CallOptions& call) { return to_wkt(a, call); });
+  add("read_wkt", [text](const CallOptions& call) { return read_wkt(text, call); });
+  add("to_wkb", [&](const CallOptions& call) { return to_wkb(a, call); });
+  add("read_wkb", [bytes](const CallOptions& call) { return read_wkb(bytes, call); });
+  add("Locator", [&, queries](const CallOptions& call) {
+    const Locator locator(a, call);
+    std::vector<Location> locations(queries.size());
+    locator.locate(queries, locations, call);
+    for (std::size_t i = 0; i < std::min<std::size_t>(queries.size(), 8); ++i)
+      locations.push_back(locator.locate(queries[i]));
+    return locations;
+  });
+  add("RegionBuilder", [&](const CallOptions&) {
+    RegionBuilder builder;
+    builder.add_polygon(a.points);
+    builder.begin_polygon();
+    for (const auto contour : b.view().contours()) builder.add_contour(contour);
+    return builder.take();
+  });
+}
+
+/// Those of rows; every polygon is a row.
+template <class Add>
+void add_rows(const Add& add, const RegionSet& a, const RegionSet& b) {
+  for (const FeatureOperation operation :
+       {FeatureOperation::intersection, FeatureOperation::identity, FeatureOperation::unite,
+        FeatureOperation::difference, FeatureOperation::symmetric_difference})
+    add("overlay_features", [&, operation](const CallOptions& call) {
+      return overlay_features({a, {}}, {b, {}}, operation, with<Options>(call));
+    });
+  std::vector<std::uint32_t> groups(a.view().polygon_count());
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = static_cast<std::uint32_t>(i % 3);
+  add("dissolve", [&, groups](const CallOptions& call) { return dissolve({a, {}}, groups, with<Options>(call)); });
+  add("depth", [&](const CallOptions& call) { return depth({a, {}}, {}, with<Options>(call)); });
+  add("partition", [&](const CallOptions& call) {
+    const FeatureView layers[] = {{a, {}}, {b, {}}};
+    return partition(layers, with<Options>(call));
+  });
+}
+
 constexpr Operation operations[] = {Operation::intersection, Operation::unite, Operation::difference,
                                     Operation::symmetric_difference};
 constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov};
@@ -109,6 +219,8 @@ std::vector<PublicFunction> public_functions(const RegionSet& a, const RegionSet
     options.extent = TriangleExtent::convex_hull;
     return triangulate(convex, options);
   });
+  add_others(add, a, b);
+  add_rows(add, a, b);
   add("signed_area", [&](const CallOptions&) { return signed_area(a); });
   add("ClipWindow", [&](const CallOptions& call) { return ClipWindow(convex, call).clip(a, nullptr, call); });
   add("sutherland_hodgman", [&convex, moved_convex](const CallOptions& call) {
