@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 
+#include <algorithm>
+
+#include "generators/random.h"
 #include "verify/rows.h"
 
 namespace oblast::internal {
@@ -152,6 +155,69 @@ TEST(PartitionOfLayers, NamesTheSourcesOfEachRow) {
   EXPECT_EQ(sources(2), (Sources{{0, 0}, {1, 0}, {2, 1}}));
   EXPECT_EQ(sources(3), (Sources{{1, 0}}));
   EXPECT_EQ(sources(4), (Sources{{2, 0}}));
+}
+
+/// Rectangles with whole coordinates: every crossing is exact, so areas are, too.
+Layer random_rectangles(std::uint64_t seed, int count) {
+  generators::Random random(seed);
+  Layer layer;
+  for (int i = 0; i < count; ++i) {
+    const double x = random.below(30), y = random.below(30), w = 1 + random.below(12), h = 1 + random.below(12);
+    for (const Point p : {Point{x, y}, Point{x + w, y}, Point{x + w, y + h}, Point{x, y + h}})
+      layer.regions.points.push_back(p);
+    layer.regions.contour_ends.push_back(static_cast<std::uint32_t>(layer.regions.points.size()));
+    layer.regions.polygon_ends.push_back(static_cast<std::uint32_t>(layer.regions.contour_ends.size()));
+    layer.end();
+  }
+  return layer;
+}
+
+TEST(Identities, OfExactAreas) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Layer a = random_rectangles(seed, 12), b = random_rectangles(seed + 1000, 12);
+    double input = 0;
+    for (const PolygonView polygon : a.regions.polygons()) input += signed_area(polygon);
+
+    const FeatureSet depths = depth(a);
+    double covered = 0;
+    for (std::size_t row = 0; row < depths.size(); ++row) covered += depths.keys[row].a * areas(depths)[row];
+    EXPECT_EQ(covered, input) << "depth times area";
+
+    // Each row of A is the sum of the parts that lie in no row of B, and of a partition of those that lie in some.
+    const FeatureView layers[] = {a, b};
+    const Partition parts = partition(layers);
+    std::vector<double> of_row(12, 0.0), outside(12, 0.0);
+    for (std::size_t row = 0; row < parts.rows.size(); ++row) {
+      const auto sources = parts.sources_of(row);
+      const bool alone = std::ranges::none_of(sources, [](const FeatureSource& s) { return s.layer == 1; });
+      for (const FeatureSource& source : sources) {
+        if (source.layer == 1) continue;
+        of_row[source.feature] += areas(parts.rows)[row];
+        if (alone) outside[source.feature] += areas(parts.rows)[row];
+      }
+    }
+    for (std::uint32_t i = 0; i < 12; ++i) EXPECT_EQ(of_row[i], signed_area(a.regions.polygon(i))) << "parts of a row";
+
+    const FeatureSet identity = overlay_features(a, b, FeatureOperation::identity);
+    for (std::size_t row = 0; row < identity.size(); ++row)
+      if (identity.keys[row].b == none) {
+        EXPECT_EQ(areas(identity)[row], outside[identity.keys[row].a]) << "what is outside of B";
+      }
+
+    const std::vector<std::uint32_t> one(12, 0);
+    EXPECT_EQ(dissolve(a, one).regions, unite(a.regions)) << "one group is the union";
+  }
+}
+
+/// Many rows on one place: sets of hundreds of sources.
+TEST(Depth, OfADeepStack) {
+  Layer layer;
+  for (int i = 0; i < 300; ++i) layer.square(i, 0, 300);
+  const FeatureSet rows = depth(layer);
+  expect_valid(rows);
+  ASSERT_EQ(rows.size(), 300U);
+  EXPECT_EQ(rows.keys.back(), (FeatureKey{300, none}));
+  for (std::size_t row = 0; row + 1 < rows.size(); ++row) EXPECT_EQ(areas(rows)[row], 600);
 }
 
 TEST(Features, BadInputIsAnError) {

@@ -1,6 +1,7 @@
 #include "features/row_trial.h"
 
 #include <oblast/features.h>
+#include <oblast/overlay.h>
 
 #include <algorithm>
 #include <functional>
@@ -123,10 +124,24 @@ class RowTrial {
         return RowFailure{BrokenRows::threw, operation.name, e.what()};
       }
     }
-    return std::nullopt;
+    return check_identities();
   }
 
  private:
+  /// Equal results of calls that node the same edges: the same bytes.
+  std::optional<RowFailure> check_identities() const {
+    const std::vector<std::uint32_t> one(layers_.a.feature_ends.size(), 0);
+    const FeatureSet row = dissolve(layers_.a, one, options_);
+    if (row.regions != unite(layers_.a.regions, options_))
+      return RowFailure{BrokenRows::identities, "dissolve", "one row is not the union"};
+    const FeatureView twice[] = {layers_.a, layers_.a};
+    const Partition alone = partition(std::span(twice, 1), options_), both = partition(twice, options_);
+    // The rows of one are in another order than those of the other.
+    if (by_first_layer(alone) != by_first_layer(both) || 2 * alone.sources.size() != both.sources.size())
+      return RowFailure{BrokenRows::identities, "partition", "a layer with itself is not the layer"};
+    return std::nullopt;
+  }
+
   std::optional<RowFailure> run(const Operation& operation) const {
     const auto failure = [&](BrokenRows broken, std::string what) {
       return RowFailure{broken, operation.name, std::move(what)};
@@ -149,6 +164,17 @@ class RowTrial {
       if (fault) return failure(BrokenRows::wrong, fault->what);
     }
     return std::nullopt;
+  }
+
+  static std::map<std::vector<std::uint32_t>, RegionSet> by_first_layer(const Partition& found) {
+    std::map<std::vector<std::uint32_t>, RegionSet> rows;
+    for (std::size_t row = 0; row < found.rows.size(); ++row) {
+      std::vector<std::uint32_t> name;
+      for (const FeatureSource& source : found.sources_of(row))
+        if (source.layer == 0) name.push_back(source.feature);
+      generators::append(rows[name], verify::regions_of(found.rows, row));
+    }
+    return rows;
   }
 
   using Rows = std::map<std::pair<FeatureKey, std::vector<FeatureSource>>, std::vector<RegionSet>>;
@@ -193,7 +219,7 @@ class RowTrial {
 }  // namespace
 
 const char* to_text(BrokenRows broken) {
-  constexpr const char* names[] = {"unverified", "order", "far", "threads", "wrong", "exception"};
+  constexpr const char* names[] = {"unverified", "order", "far", "threads", "wrong", "identities", "exception"};
   return names[static_cast<int>(broken)];
 }
 
