@@ -87,6 +87,19 @@ PartNeeds needs_of(Operation operation) {
   return {both || operation == Operation::difference, both};
 }
 
+/// What batches leave.
+struct BatchResults {
+  const Job& job;
+  RegionSet spare;  ///< for the result
+  Array<PipelineResult> of;
+
+  void run(std::size_t batch, noding::Strands strands, Statistics& statistics) {
+    Outline contours = outline(std::move(strands), job, statistics);  // 2 to 5
+    of[batch] = assemble_stage(std::move(contours.rings), contours.nesting, job, statistics,
+                               of.size() == 1 ? std::move(spare) : RegionSet{});  // 6
+  }
+};
+
 /// The polygons of all batches, in order.
 PipelineResult join_results(Array<PipelineResult> results, const Job& job, Statistics& statistics, RegionSet spare) {
   if (results.size() == 1) return std::move(results[0]);
@@ -135,15 +148,14 @@ PipelineResult run_pipeline(const RegionView& a, const RegionView* b, const Job&
     const InStage stage(Stage::collect, collect_share, job.control, statistics);
     strands = collect(a, b, job.options, resolve_by_pipeline(job.control), statistics.resolved_polygons);  // 1
   }
-  Array<PipelineResult> results;
-  const auto begin = [&](std::size_t batches) { results.resize(batches); };
-  const auto run = [&](std::size_t batch, noding::Strands of_batch, Statistics& done) {
-    Outline contours = outline(std::move(of_batch), job, done);  // 2 to 5
-    results[batch] = assemble_stage(std::move(contours.rings), contours.nesting, job, done,
-                                    results.size() == 1 ? std::move(spare) : RegionSet{});  // 6
-  };
-  in_batches(std::move(strands), needs_of(job.operation), job.control, statistics, {begin, run});
-  return join_results(std::move(results), job, statistics, std::move(spare));
+  BatchResults results{job, std::move(spare), {}};
+  // Each function holds one reference, so neither needs memory of its own.
+  in_batches(std::move(strands), needs_of(job.operation), job.control, statistics,
+             {[&results](std::size_t count) { results.of.resize(count); },
+              [&results](std::size_t batch, noding::Strands of_batch, Statistics& done) {
+                results.run(batch, std::move(of_batch), done);
+              }});
+  return join_results(std::move(results.of), job, statistics, std::move(results.spare));
 }
 
 }  // namespace oblast::internal

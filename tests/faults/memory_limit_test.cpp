@@ -92,8 +92,11 @@ TEST(MemoryLimit, smallCallsNeedHardlyAny) {
   for (const PublicFunction& function : public_functions(convex, convex, convex)) {
     CallOptions options;
     const Bits expected = function.call(options);
-    options.most_bytes = 64 << 10;
-    EXPECT_EQ(function.call(options), expected) << function.name;
+    // A Locator has thousands of cells, however few the edges are.
+    options.most_bytes = function.name == "Locator" ? 512 << 10 : 64 << 10;
+    Bits found;
+    EXPECT_NO_THROW(found = function.call(options)) << function.name;
+    EXPECT_EQ(found, expected) << function.name;
   }
 }
 
