@@ -27,8 +27,7 @@ std::optional<Finding> bad_coordinate(const RegionView& regions) {
       const Point& p = regions.points[v];
       if (in_domain(p.x) && in_domain(p.y)) continue;
       const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
-      first.offer(
-          {finite ? FaultKind::out_of_domain : FaultKind::not_finite, static_cast<std::uint32_t>(v), none, p});
+      first.offer({finite ? FaultKind::out_of_domain : FaultKind::not_finite, static_cast<std::uint32_t>(v), none, p});
     }
   });
   return first.get();

@@ -35,8 +35,7 @@ std::optional<Finding> find_bad_role(const RegionView& regions, const Array<Role
     for (std::uint32_t c = first; c < end; ++c) {
       if (roles[c].is_hole != (c == first)) continue;
       const std::uint32_t v = regions.contour_begin(c);
-      return Finding{c == first ? FaultKind::outer_is_not_first : FaultKind::hole_is_outer, v, none,
-                     regions.points[v]};
+      return Finding{c == first ? FaultKind::outer_is_not_first : FaultKind::hole_is_outer, v, none, regions.points[v]};
     }
   }
   return {};

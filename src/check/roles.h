@@ -15,7 +15,7 @@ namespace oblast::internal::checking {
 struct Role {
   bool is_hole = false;
   std::uint32_t edge = none;  ///< of a hole: the one that arrives there, by the vertex from which it comes
-  BelowQuery arrival = {};         ///< the same edge
+  BelowQuery arrival = {};    ///< the same edge
 };
 
 /// By contour. REQUIRES: edges meet at common ends only. Cost: linear, on all cores.

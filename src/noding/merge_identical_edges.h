@@ -10,8 +10,8 @@
 
 namespace oblast::internal::noding {
 
-/// The strands without repeated edges: of identical ones one is left, or none if the changes cancel. Strands break where
-/// the change does. Cost: linear.
+/// The strands without repeated edges: of identical ones one is left, or none if the changes cancel. Strands break
+/// where the change does. Cost: linear.
 Strands merge_identical_edges(Strands strands, const IdenticalEdges& identical);
 inline Strands merge_identical_edges(Strands strands) {
   const IdenticalEdges identical = identical_edges(strands);
