@@ -16,8 +16,9 @@ KeptBlocks* kept_blocks(Workspace* workspace, std::size_t vertices);
 
 /// Memory that calls keep for later calls. A caller who makes many calls creates one workspace and passes it to each
 /// call in Options::workspace. Calls then get fewer pages from the system; for a call on some hundred thousand
-/// vertices, this takes about a quarter of the time. A workspace does not change results. Two kinds of calls do not use
-/// it: calls on up to 128 vertices, and calls on more vertices than `most_bytes` / 64. The latter empty it.
+/// vertices, this takes about a quarter of the time. Calls on up to 128 vertices that write into an existing result
+/// allocate nothing after the first call. A workspace does not change results. A call on more vertices than
+/// `most_bytes` / 64 does not use it, and empties it.
 ///
 /// Calls on several threads may share a workspace at the same time; a lock protects it. One workspace per thread is
 /// faster. During calls, clear() and kept_bytes() are allowed, but moving or destroying the workspace is not. The

@@ -39,7 +39,9 @@ class CallMemory {
   CallMemory() = default;
   CallMemory(const CallMemory&) = delete;
   CallMemory& operator=(const CallMemory&) = delete;
-  ~CallMemory() = default;
+  ~CallMemory() {
+    if (more_) give_uncounted_block_back(more_, more_capacity);
+  }
 
   /// The memory of the small call that this thread works for, or null.
   static CallMemory* current() {
@@ -57,16 +59,16 @@ class CallMemory {
       return freed;
     }
     const std::size_t size = smallest_block << size_class;
-    if (size > capacity - used_) return nullptr;
-    used_ += size;
-    return memory_.data() + used_ - size;
+    if (size <= capacity - used_) {
+      used_ += size;
+      return memory_.data() + used_ - size;
+    }
+    return take_more(size);
   }
 
   /// False if the block is not from this memory.
   bool give_back(void* block, std::size_t bytes) {
-    const std::uintptr_t offset =
-        reinterpret_cast<std::uintptr_t>(block) - reinterpret_cast<std::uintptr_t>(memory_.data());
-    if (offset >= capacity) return false;
+    if (!is_in(block, memory_.data(), capacity) && !(more_ && is_in(block, more_, more_capacity))) return false;
     const std::size_t size_class = size_class_of(bytes);
     freed_[size_class] = new (block) Freed{freed_[size_class]};
     return true;
@@ -83,7 +85,24 @@ class CallMemory {
     return static_cast<std::size_t>(std::bit_width((bytes - (bytes > 0)) / smallest_block));
   }
 
-  std::size_t used_ = 0;
+  static bool is_in(const void* block, const std::byte* begin, std::size_t size) {
+    return reinterpret_cast<std::uintptr_t>(block) - reinterpret_cast<std::uintptr_t>(begin) < size;
+  }
+
+  /// From a block that the call's workspace keeps. Null if there is no workspace, or the block is used up.
+  void* take_more(std::size_t size) {
+    const Call* const call = Call::current();
+    if (!call || !call->blocks) return nullptr;
+    if (!more_) more_ = static_cast<std::byte*>(take_uncounted_block(more_capacity));
+    if (size > more_capacity - more_used_) return nullptr;
+    more_used_ += size;
+    return more_ + more_used_ - size;
+  }
+
+  static constexpr std::size_t more_capacity = tuning::small_call_kept_bytes;
+
+  std::size_t used_ = 0, more_used_ = 0;
+  std::byte* more_ = nullptr;
   std::array<Freed*, class_count> freed_{};
   alignas(64) std::array<std::byte, capacity> memory_;  // not initialised
 };

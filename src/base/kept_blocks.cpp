@@ -62,7 +62,6 @@ void KeptBlocks::keep(Header* header) {
   while (bytes_ > most_bytes_) drop_oldest();
 }
 
-/// The caller has counted the bytes, if they count.
 void* take_uncounted_block(std::size_t bytes) {
   if (bytes < shortest) return ::operator new(bytes);
   const std::size_t with_header = bytes + sizeof(KeptBlocks::Header);
@@ -86,6 +85,10 @@ void* take_block(std::size_t bytes) {
 
 void give_block_back(void* block, std::size_t bytes) {
   if (MemoryBudget* const budget = MemoryBudget::current()) budget->give_back(bytes);
+  give_uncounted_block_back(block, bytes);
+}
+
+void give_uncounted_block_back(void* block, std::size_t bytes) {
   if (bytes < shortest) {
     ::operator delete(block);
     return;

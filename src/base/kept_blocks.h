@@ -25,7 +25,7 @@ class KeptBlocks {
 
  private:
   friend void* take_uncounted_block(std::size_t bytes);
-  friend void give_block_back(void* block, std::size_t bytes);
+  friend void give_uncounted_block_back(void* block, std::size_t bytes);
 
   struct Header;
 
@@ -38,6 +38,10 @@ class KeptBlocks {
   std::size_t bytes_ = 0;
   std::vector<Header*> free_;  ///< the oldest first; has capacity for the largest possible number
 };
+
+/// The same as the two functions below, for memory that no limit counts.
+void* take_uncounted_block(std::size_t bytes);
+void give_uncounted_block_back(void* block, std::size_t bytes);
 
 /// Memory for an array. If the array is long and the call that this thread works for has a workspace, from the
 /// workspace; otherwise from the system. Counted if the call has a limit (memory_budget.h). Throws std::bad_alloc and

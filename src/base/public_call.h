@@ -46,6 +46,7 @@ auto public_call(const CallOptions& options, bool timed, std::size_t vertices, c
     // A small call has its own memory and stays on this thread.
     CallMemory memory;
     call.memory = &memory;
+    call.blocks = kept_blocks(options.workspace, vertices);
     const WorkingFor working(call);
     Result result = detail::perform(work, control);
     control.finish();

@@ -27,9 +27,12 @@ namespace oblast::internal::tuning {
 /// million instructions (ec89472).
 inline constexpr std::size_t small_call = choose("small_call", 128, 16);
 
-/// Bytes on the stack of a small call. When they are used up, memory comes from the system. A call on 128 vertices
-/// makes some eighty arrays. Pairs 9.6 to 7.7 us (604ab32).
+/// Bytes on the stack of a small call. When they are used up, memory comes from the workspace or the system. A call on
+/// 128 vertices makes some eighty arrays. Pairs 9.6 to 7.7 us (604ab32).
 inline constexpr std::size_t call_memory_bytes = choose("call_memory_bytes", 48 << 10, 2 << 10);
+
+/// Bytes that a workspace keeps for small calls whose own memory is used up. Not measured.
+inline constexpr std::size_t small_call_kept_bytes = choose("small_call_kept_bytes", 512 << 10, 8 << 10);
 
 /// Number of block sizes in that memory: 32 bytes, 64 bytes, and so on, doubled. Longer blocks come from the system.
 /// Not measured.
