@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/index_limits.h"
 #include "generators/crowd.h"
 #include "generators/random.h"
 
@@ -16,12 +17,15 @@ namespace {
 // Cases of a crowd: with some thirty edges each they pass every threshold of the library.
 constexpr std::uint64_t crowd_size = 950;
 
-// Small cases more often than large ones, by the square of a number drawn evenly; a few very large.
+// Small cases more often than large ones, by the square of a number drawn evenly; a few very large, but not so large
+// that a test build with low limits of indices refuses them.
 int size_of_case(const HostileSettings& settings, const HostileGenerator& generator, std::uint64_t seed) {
   Random random(seed ^ 0x517eu);
   const double drawn = random.unit();
   const int largest = settings.largest > 0 ? settings.largest : generator.usual;
-  if (settings.large > 0 && random.one_in(settings.large)) return random.between(largest, generator.largest);
+  const int very_large = internal::low_index_limits ? generator.larger : generator.largest;
+  if (settings.large > 0 && random.one_in(settings.large))
+    return random.between(largest, std::max(largest, very_large));
   return settings.smallest + static_cast<int>(drawn * drawn * std::max(1, largest - settings.smallest + 1));
 }
 
