@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 
 constexpr double page_width = 1200, margin_left = 60, margin_right = 20, header = 74, footer = 30, gap = 34;
 constexpr double tallest_panel = 820;
+constexpr std::size_t bytes_of_classes = 1'400'000;  // in one panel
 constexpr const char* colour_a = "#2b6cb0";
 constexpr const char* colour_b = "#dd6b20";
 constexpr const char* colour_result = "#1a202c";
@@ -80,7 +81,9 @@ Panels lay_out(const Picture& picture, const Window& window) {
   const double aspect = std::clamp(window.height() > 0 ? window.width() * squeeze / window.height() : 1e3, 0.2, 6.0);
   const Window padded{window.x0 - window.width() * 0.02, window.y0 - window.height() * 0.02,
                       window.x1 + window.width() * 0.02, window.y1 + window.height() * 0.02};
-  const RegionView& dense = picture.result.points.empty() ? picture.a : picture.result;
+  RegionView dense = picture.result.points.empty() ? picture.a : picture.result;
+  for (const PictureClass& rows : picture.classes)
+    if (rows.regions.points.size() > dense.points.size()) dense = rows.regions;
 
   Panels panels;
   const Box alone{margin_left, header, full, std::min(tallest_panel, full / aspect)};
@@ -139,12 +142,21 @@ DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::str
     panel.left_out += drawn.left_out;
   };
   const double opacity = picture.b.points.empty() ? 0.35 : 0.45;
-  const DrawnContours a = draw_contours(picture.a, frame, DrawAs::polygons, 2);
-  const DrawnContours b = draw_contours(picture.b, frame, DrawAs::polygons, 2);
+  for (const PictureClass& rows : picture.classes) {
+    const DrawnContours drawn =
+        draw_contours(rows.regions, frame, DrawAs::polygons, 2, bytes_of_classes / picture.classes.size());
+    count(drawn);
+    panel.text += draw_operand(drawn, {rows.colour.c_str(), 0.9});
+  }
   const DrawnContours result = draw_contours(picture.result, frame, DrawAs::outlines, 1);
-  for (const DrawnContours* drawn : {&a, &b, &result}) count(*drawn);
-  panel.text += draw_operand(a, {colour_a, opacity});
-  if (!picture.b.points.empty()) panel.text += draw_operand(b, {colour_b, opacity});
+  count(result);
+  if (picture.classes.empty()) {
+    const DrawnContours a = draw_contours(picture.a, frame, DrawAs::polygons, 2);
+    const DrawnContours b = draw_contours(picture.b, frame, DrawAs::polygons, 2);
+    for (const DrawnContours* drawn : {&a, &b}) count(*drawn);
+    panel.text += draw_operand(a, {colour_a, opacity});
+    if (!picture.b.points.empty()) panel.text += draw_operand(b, {colour_b, opacity});
+  }
   panel.text += draw_result(result, stroke) + "</g>\n" + draw_axes(frame) + draw_scale_bar(frame, picture.projection);
   return panel;
 }
@@ -178,7 +190,20 @@ std::string legend_entry(double& x, const std::string& swatch, const std::string
   return entry;
 }
 
+std::string draw_classes_legend(const std::vector<PictureClass>& classes) {
+  double x = margin_left;
+  std::string text = "<g font-size=\"13\">";
+  for (const PictureClass& rows : classes) {
+    text += fmt::format(
+        "<rect x=\"{:.0f}\" y=\"46\" width=\"18\" height=\"13\" fill=\"{}\"/><text x=\"{:.0f}\" y=\"57\">{}</text>\n",
+        x, rows.colour, x + 24, escaped(rows.label));
+    x += 44 + 7.0 * static_cast<double>(rows.label.size());
+  }
+  return text + "</g>\n";
+}
+
 std::string draw_legend(const Picture& picture) {
+  if (!picture.classes.empty()) return draw_classes_legend(picture.classes);
   double x = margin_left;
   std::string text = "<g font-size=\"13\">";
   text += legend_entry(x, fmt::format("fill=\"{}\" fill-opacity=\"0.5\"", colour_a), picture.label_a, picture.a);
@@ -201,7 +226,8 @@ std::string draw_note(const DrawnPanel& panel) {
 }  // namespace
 
 std::string to_svg(const Picture& picture) {
-  const RegionView views[] = {picture.a, picture.b, picture.result};
+  std::vector<RegionView> views{picture.a, picture.b, picture.result};
+  for (const PictureClass& rows : picture.classes) views.push_back(rows.regions);
   const Window window = extent(views).value_or(Window{0, 0, 1, 1});
   const Panels panels = lay_out(picture, window);
   std::string text = fmt::format(

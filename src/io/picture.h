@@ -4,6 +4,7 @@
 #include <oblast/region_set.h>
 
 #include <string>
+#include <vector>
 
 #include "io/write.h"
 
@@ -12,10 +13,19 @@ namespace oblast::io {
 /// How coordinates are drawn: as they are, or as degrees scaled by the cosine of the mean latitude.
 enum class MapProjection { plane, longitude_latitude };
 
+/// Rows of one colour.
+struct PictureClass {
+  RegionSet regions;
+  std::string colour;  ///< as in SVG: "#0072b2"
+  std::string label;   ///< for the legend
+};
+
 struct Picture {
   RegionView a;       ///< first operand, translucent
   RegionView b;       ///< second operand, another translucent colour; may be empty
   RegionView result;  ///< outlined
+  /// Rows by colour, in the order of the legend. If there are any, they are filled, and drawn in place of a and b.
+  std::vector<PictureClass> classes;
   std::string title;
   std::string label_a = "A";
   std::string label_b = "B";

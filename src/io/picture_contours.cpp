@@ -11,8 +11,7 @@ namespace oblast::io {
 
 namespace {
 
-constexpr std::size_t budget = 700'000;  // bytes per view and panel
-constexpr double clip_margin = 5;        // pixels beyond the panel; the edges made by clipping are invisible there
+constexpr double clip_margin = 5;  // pixels beyond the panel; the edges made by clipping are invisible there
 
 struct Snapped {  // tenths of a pixel
   std::int64_t x = 0, y = 0;
@@ -40,8 +39,8 @@ void clip_side(const std::vector<Point>& in, std::vector<Point>& out, double Poi
 // One panel's drawing of one view at one lattice step.
 class Drawing {
  public:
-  Drawing(const RegionView& view, const Frame& frame, DrawAs as, double dot, double step)
-      : view_(view), frame_(frame), as_(as), dot_(dot), step_(step), smallest_(std::max(1.0, step)) {}
+  Drawing(const RegionView& view, const Frame& frame, DrawAs as, double dot, std::size_t budget, double step)
+      : view_(view), frame_(frame), as_(as), dot_(dot), budget_(budget), step_(step), smallest_(std::max(1.0, step)) {}
 
   /// False when the budget was exceeded before the end, unless `keep_going`.
   bool run(bool keep_going) {
@@ -49,7 +48,7 @@ class Drawing {
       std::string path;
       for (std::uint32_t c = view_.polygon_begin(p); c < view_.polygon_end(p); ++c) draw(c, path);
       if (path.empty()) continue;
-      if (size() + path.size() + 16 > budget) {
+      if (size() + path.size() + 16 > budget_) {
         if (!keep_going) return false;
         --result_.drawn;
         ++result_.left_out;
@@ -62,7 +61,7 @@ class Drawing {
       }
     }
     draw_dots();
-    return keep_going || size() + result_.dots.size() <= budget;
+    return keep_going || size() + result_.dots.size() <= budget_;
   }
 
   DrawnContours& result() { return result_; }
@@ -160,7 +159,9 @@ class Drawing {
   const RegionView& view_;
   const Frame& frame_;
   DrawAs as_;
-  double dot_, step_, smallest_;
+  double dot_;
+  std::size_t budget_;
+  double step_, smallest_;
   std::vector<Point> points_, scratch_;
   std::vector<Snapped> snapped_;
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> dots_;  // (row, column)
@@ -169,12 +170,12 @@ class Drawing {
 
 }  // namespace
 
-DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot) {
+DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot, std::size_t most_bytes) {
   for (const double step : {0.1, 0.3, 1.0, 3.0}) {
-    Drawing drawing(view, frame, as, dot, step);
+    Drawing drawing(view, frame, as, dot, most_bytes, step);
     if (drawing.run(false)) return std::move(drawing.result());
   }
-  Drawing drawing(view, frame, as, 2 * dot, 8.0);
+  Drawing drawing(view, frame, as, 2 * dot, most_bytes, 8.0);
   drawing.run(true);
   return std::move(drawing.result());
 }

@@ -3,6 +3,7 @@
 
 #include <oblast/region_set.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -24,7 +25,8 @@ struct DrawnContours {
 enum class DrawAs { polygons, outlines };
 
 /// Draws the part of the view that lies in the frame. `dot` is the side of a dot, in pixels. All texts together have
-/// fewer than about 700,000 bytes: the lattice to which vertices are snapped is made coarser until this holds.
-DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot);
+/// about `most_bytes` bytes at most: the lattice to which vertices are snapped is made coarser until this holds.
+DrawnContours draw_contours(const RegionView& view, const Frame& frame, DrawAs as, double dot,
+                            std::size_t most_bytes = 700'000);
 
 }  // namespace oblast::io

@@ -1,0 +1,22 @@
+// Colours for rows by the value of a column: safe for colour-blind readers, with a legend.
+#pragma once
+
+#include <oblast/features.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/picture.h"
+
+namespace oblast::io {
+
+/// The classes of a picture by a number for each row: at most seven, of about equally many polygons, from light to
+/// dark (the palette `inferno`). REQUIRES: one number for each row.
+std::vector<PictureClass> classes_by_number(const FeatureView& rows, std::span<const double> numbers);
+
+/// The classes of a picture by a text for each row: the seven most frequent texts (the palette of Okabe and Ito), and
+/// one class for all others. REQUIRES: one text for each row.
+std::vector<PictureClass> classes_by_text(const FeatureView& rows, std::span<const std::string> texts);
+
+}  // namespace oblast::io
