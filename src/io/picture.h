@@ -24,13 +24,13 @@ struct Picture {
   RegionView a;       ///< first operand, translucent
   RegionView b;       ///< second operand, another translucent colour; may be empty
   RegionView result;  ///< outlined
-  /// Rows by colour, in the order of the legend. If there are any, they are filled, and drawn in place of a and b.
-  std::vector<PictureClass> classes;
   std::string title;
   std::string label_a = "A";
   std::string label_b = "B";
   std::string label_result = "result";
   MapProjection projection = MapProjection::plane;
+  /// Rows by colour, in the order of the legend. If there are any, they are filled, and drawn in place of a and b.
+  std::vector<PictureClass> classes;
 };
 
 /// Writes an SVG with a legend, axes and a scale bar. If details are smaller than a pixel, a second panel shows the
