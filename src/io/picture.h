@@ -30,7 +30,7 @@ struct Picture {
   std::string label_result = "result";
   MapProjection projection = MapProjection::plane;
   /// Rows by colour, in the order of the legend. If there are any, they are filled, and drawn in place of a and b.
-  std::vector<PictureClass> classes;
+  std::vector<PictureClass> classes = {};
 };
 
 /// Writes an SVG with a legend, axes and a scale bar. If details are smaller than a pixel, a second panel shows the
