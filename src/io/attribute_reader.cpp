@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "io/attribute_data.h"
 #include "io/formats.h"
@@ -98,9 +100,11 @@ class TableReader {
     }
   }
 
+  // Wider numbers have the same values; text is another thing, and is said once for each type.
   void widen(Column& column, const Column& other, const std::string& file, const std::string& other_file) {
     const Column result = wider(column, other);
-    if (result.type != column.type) {
+    if (column.type != other.type && result.type == ColumnType::text &&
+        said_.insert({column.name, other.type}).second) {
       notes_.push_back(fmt::format("{} has {} in {} and {} in {}; it is read as {}", column.name, name(column.type),
                                    file, name(other.type), other_file, name(result.type)));
     }
@@ -112,6 +116,7 @@ class TableReader {
   std::unique_ptr<AttributeTable::Data> data_ = std::make_unique<AttributeTable::Data>();
   std::map<std::string, std::size_t> column_by_name_;
   std::vector<std::string> file_of_column_;
+  std::set<std::pair<std::string, ColumnType>> said_;
   std::uint32_t file_ = 0;
   std::size_t row_ = 0;
 };

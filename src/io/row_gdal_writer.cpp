@@ -26,22 +26,24 @@ std::string free_name(const std::string& wanted, const FieldPlan& plan) {
   return name;
 }
 
-bool has_empty_row(const FeatureView& rows) {
-  for (std::size_t row = 0; row < rows.feature_count(); ++row) {
-    if (rows.feature_begin(row) == rows.feature_end(row)) return true;
+// GDAL leaves features without geometry out of FlatGeobuf, and does not say so.
+void refuse_empty_rows(const RowOutput& output) {
+  for (std::size_t row = 0; row < output.rows.feature_count(); ++row) {
+    if (output.rows.feature_begin(row) == output.rows.feature_end(row))
+      throw IoError(
+          fmt::format("cannot write {}: row {} has no polygons, and FlatGeobuf does not keep such rows; write "
+                      ".gpkg instead",
+                      output.name, row));
   }
-  return false;
 }
 
-CPLStringList layer_options(const std::string& driver, const RowOutput& output, const FieldPlan& plan) {
+CPLStringList layer_options(const std::string& driver, const FieldPlan& plan) {
   CPLStringList options;
   if (driver == "ESRI Shapefile") options.SetNameValue("ENCODING", "UTF-8");
   if (driver == "GPKG") {
     options.SetNameValue("FID", free_name("fid", plan).c_str());
     options.SetNameValue("GEOMETRY_NAME", free_name("geom", plan).c_str());
   }
-  // The index of FlatGeobuf cannot hold a feature without geometry.
-  if (driver == "FlatGeobuf" && has_empty_row(output.rows)) options.SetNameValue("SPATIAL_INDEX", "NO");
   return options;
 }
 
@@ -114,6 +116,7 @@ struct Release {
 void write_rows_with_gdal(const std::string& path, const char* driver_name, const RowOutput& output,
                           std::vector<std::string>& notes) {
   register_gdal_drivers();
+  if (std::string_view(driver_name) == "FlatGeobuf") refuse_empty_rows(output);
   const FieldPlan plan = plan_fields(output.columns, path);
   const RowFields fields(output.columns, plan);
   notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
@@ -140,7 +143,7 @@ void write_rows_with_gdal(const std::string& path, const char* driver_name, cons
     check(dataset != nullptr);
     const bool shapefile = std::string_view(driver_name) == "ESRI Shapefile";
     const std::string layer_name = std::filesystem::path(path).stem().string();
-    CPLStringList options = layer_options(driver_name, output, plan);
+    CPLStringList options = layer_options(driver_name, plan);
     OGRLayer* layer = dataset->CreateLayer(layer_name.c_str(), output.crs_wkt.empty() ? nullptr : &crs,
                                            shapefile ? wkbPolygon : wkbMultiPolygon, options.List());
     check(layer != nullptr);
