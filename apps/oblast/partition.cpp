@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 #include <oblast/features.h>
 
-#include <filesystem>
-#include <map>
-
+#include "oblast/file_names.h"
 #include "oblast/row_job.h"
 
 namespace oblast::app {
@@ -25,21 +23,6 @@ struct Arguments {
   JobArguments job;
   RowArguments rows;
 };
-
-// By layer and file: the name in `sources`.
-std::vector<std::vector<std::string>> file_names(const std::vector<io::Rows>& layers) {
-  std::map<std::string, int> uses;
-  const auto stem = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
-  for (const io::Rows& layer : layers) {
-    for (const std::string& file : layer.layer.files) ++uses[stem(file)];
-  }
-  std::vector<std::vector<std::string>> names;
-  for (const io::Rows& layer : layers) {
-    auto& of_layer = names.emplace_back();
-    for (const std::string& file : layer.layer.files) of_layer.push_back(uses[stem(file)] > 1 ? file : stem(file));
-  }
-  return names;
-}
 
 void add_sources(const Partition& result, const std::vector<io::Rows>& layers, ResultColumns& columns) {
   const auto names = file_names(layers);

@@ -18,10 +18,10 @@ namespace oblast::app {
 
 namespace {
 
-void check_fill(const FillRule& rule, const char* option) {
+void check_fill(const FillRule& rule, const char* option, const char* instead) {
   if (rule.by_polygon()) return;
-  throw CallError(fmt::format("{} {} reads all contours of a layer together, so there are no rows; add --merge", option,
-                              name(rule)));
+  throw CallError(fmt::format("{} {} reads all contours of a layer together, so there are no rows; {}", option,
+                              name(rule), instead));
 }
 
 std::vector<std::vector<std::string>> paths_of(const std::vector<RowInput>& inputs) {
@@ -64,8 +64,9 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
       json_(json),
       progress_(!arguments.quiet) {
   check_call(paths_of(inputs_), arguments_, json);
-  check_fill(arguments_.fill, "--fill");
-  if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b");
+  const char* const instead = inputs_.size() > 1 ? "add --merge" : "leave out --source";
+  check_fill(arguments_.fill, "--fill", instead);
+  if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b", instead);
   io::check_writable(arguments_.output, write_options(arguments_, {}));
   if (!arguments_.picture.empty())
     io::check_picture_writable(arguments_.picture, write_options(arguments_, {}).existing);

@@ -48,6 +48,20 @@ TEST_F(Covers, PartitionTellsFilesOfOneNameApart) {
   EXPECT_EQ(found.back(), "sources=" + folder_.path("other/a.geojson") + ":0 count=1 area=1");
 }
 
+TEST_F(Covers, UnionNamesTheFilesOfEachPart) {
+  write_layer(folder_ / "c.geojson", {square(3, 2, R"("day":1)"), square(4, 2, R"("day":1)")});
+  write_layer(folder_ / "none.geojson", {square(0, 0, R"("day":1)")});
+  const std::vector<std::string> in{folder_.path("none.geojson"), folder_.path("a.geojson"), folder_.path("b.geojson"),
+                                    folder_.path("c.geojson"), folder_.path("none.geojson")};
+  std::vector<std::string> words{"union", "--source", "file"};
+  words.insert(words.end(), in.begin(), in.end());
+  EXPECT_EQ(rows(words), (Lines{"file=a area=14", "file=a;c area=2", "file=b area=1", "file=c area=4"}));
+  words.insert(words.end(), {"-o", folder_.path("out.gpkg"), "--overwrite", "--fill", "evenodd"});
+  const ProgramRun refused = oblast_program(words);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "--source")) << refused.err;
+}
+
 TEST_F(Covers, CheckOfRowsNamesFeaturePolygonAndVertex) {
   // The second row touches the side of the first one at (4, 1); the first has no vertex there.
   write_layer(folder_ / "bad.geojson", {square(0, 4, R"("n":1)"), square(4, 1, R"("n":2)")});
