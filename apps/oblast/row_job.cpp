@@ -122,7 +122,7 @@ void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
         throw CallError(fmt::format("there is a column {} already; choose another name for the measure", column));
     }
     columns.add(column, values);
-    notes_.push_back(fmt::format("{} is in {}", column, unit));
+    units_.push_back(fmt::format("{} is in {}", column, unit));
   };
   if (!row_arguments_.area.empty()) add(row_arguments_.area, measures.area_unit(), measures.areas(rows));
   if (!row_arguments_.perimeter.empty())
@@ -150,9 +150,11 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const std::st
   return exit_done;
 }
 
-// These are printed with --quiet, too: what the file does not hold must not go unsaid.
+// Notes are printed with --quiet, too: what the file does not hold must not go unsaid.
 void RowJob::print_notes() const {
   for (const std::string& note : notes_) fmt::print(stderr, "note: {}\n", note);
+  if (arguments_.quiet) return;
+  for (const std::string& unit : units_) fmt::print(stderr, "note: {}\n", unit);
 }
 
 void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
@@ -164,6 +166,8 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
   summary_.crs = io::crs_name(crs_wkt_);
   summary_.rows = rows.feature_count();
   summary_.columns = columns;
+  summary_.notes = notes_;
+  summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
   summary_.area = signed_area(rows.regions);
   summary_.seconds_total = total_.seconds();
   if (json_) {

@@ -79,7 +79,8 @@ class RowJob {
   bool json_;
   ProgressLine progress_;
   Summary summary_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_;  // what the file does not hold as it was given
+  std::vector<std::string> units_;  // of the measures
   std::vector<io::Rows> layers_;
   std::string crs_wkt_;
 };

@@ -129,6 +129,7 @@ Json to_json(const Summary& summary) {
   if (summary.rows) {
     object["result"]["rows"] = *summary.rows;
     object["result"]["columns"] = summary.columns;
+    object["notes"] = summary.notes;
   }
   if (!summary.picture.empty()) object["picture"] = summary.picture;
   return object;

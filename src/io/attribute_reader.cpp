@@ -1,11 +1,14 @@
 // Reads the attributes of files: one pass over each layer, without the geometry.
 //
 // The layer was read before. So the file must not have changed in the meantime: the ids of the features are compared.
+// The order is nearly always the same; but SQLite may read a GeoPackage along an index of an attribute if the geometry
+// is not asked for. Then rows are found by id.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "io/attribute_data.h"
@@ -53,13 +56,17 @@ class TableReader {
     const char* const no_geometry[] = {"OGR_GEOMETRY", "OGR_STYLE", nullptr};
     if (entry.layer->TestCapability(OLCIgnoreFields))
       entry.layer->SetIgnoredFields(const_cast<const char**>(no_geometry));
+    const std::size_t first = first_row(file_), end = first_row(file_ + 1);
+    std::size_t count = 0;
     while (std::unique_ptr<OGRFeature> feature{entry.layer->GetNextFeature()}) {
-      if (row_ == end_row() || feature->GetFID() != layer_.features[row_].feature) changed(entry.name);
+      if (first + count == end) changed(entry.name);
+      const std::size_t row = row_of(feature->GetFID(), first + count++, end);
+      if (row == end || data_->rows[row]) changed(entry.name);
       feature->SetGeometryDirectly(nullptr);
-      data_->rows[row_++] = std::move(feature);
+      data_->rows[row] = std::move(feature);
     }
     if (messages.failed()) throw IoError(entry.name + ": cannot be read to the end: " + messages.text(""));
-    if (row_ != end_row()) changed(entry.name);
+    if (first + count != end) changed(entry.name);
   }
 
   std::unique_ptr<AttributeTable::Data> finish() {
@@ -74,20 +81,33 @@ class TableReader {
 
   void begin_part() {
     if (!data_->parts.empty()) ++file_;
-    row_ = first_row(file_);
-    data_->parts.push_back({row_, {}});
+    row_of_id_.clear();
+    data_->parts.push_back({first_row(file_), {}});
   }
   std::size_t first_row(std::uint32_t file) const {
     const auto at = std::partition_point(layer_.features.begin(), layer_.features.end(),
                                          [file](const FeatureRange& f) { return f.file < file; });
     return static_cast<std::size_t>(at - layer_.features.begin());
   }
-  std::size_t end_row() const { return first_row(file_ + 1); }
+  // Usually `expected`; `end` if there is no such id among the rows of the file.
+  std::size_t row_of(std::int64_t id, std::size_t expected, std::size_t end) {
+    if (row_of_id_.empty() && layer_.features[expected].feature == id) return expected;
+    if (row_of_id_.empty()) {
+      for (std::size_t row = first_row(file_); row < end; ++row) row_of_id_.emplace(layer_.features[row].feature, row);
+    }
+    const auto found = row_of_id_.find(id);
+    return found == row_of_id_.end() ? end : found->second;
+  }
 
   void add_columns(const OGRFeatureDefn& definition, const std::string& file) {
     auto& field_of_column = data_->parts.back().field_of_column;
+    std::set<std::string> of_file;
     for (int f = 0; f < definition.GetFieldCount(); ++f) {
-      const Column column = column_of(*definition.GetFieldDefn(f));
+      Column column = column_of(*definition.GetFieldDefn(f));
+      // A file may have two columns of one name.
+      const std::string name = column.name;
+      for (int number = 1; !of_file.insert(column.name).second; ++number)
+        column.name = fmt::format("{}_{}", name, number);
       const auto [at, is_new] = column_by_name_.try_emplace(column.name, data_->columns.size());
       if (is_new) {
         data_->columns.push_back(column);
@@ -118,7 +138,7 @@ class TableReader {
   std::vector<std::string> file_of_column_;
   std::set<std::pair<std::string, ColumnType>> said_;
   std::uint32_t file_ = 0;
-  std::size_t row_ = 0;
+  std::unordered_map<std::int64_t, std::size_t> row_of_id_;  // of the present file, if its order has changed
 };
 
 }  // namespace

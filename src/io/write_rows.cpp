@@ -37,7 +37,8 @@ void write_rows(const std::string& path_given, const FeatureView& rows, std::spa
                 const WriteOptions& options, std::vector<std::string>& notes) {
   check_writable(path_given, options);
   if (is_wkt(path_given) && !columns.empty())
-    notes.push_back(fmt::format("WKT has no attributes; {} columns are left out", columns.size()));
+    notes.push_back(fmt::format("WKT has no attributes; {} {} left out", columns.size(),
+                                columns.size() == 1 ? "column is" : "columns are"));
   if (path_given == "-") return write_text_to_standard_output(rows_to_wkt(rows));
   const std::string path = target_of(path_given);
   const RowOutput output{rows, columns, options.crs_wkt, path};
