@@ -54,6 +54,7 @@ double sum_of_numbers(const Source& source, const std::vector<std::uint32_t>& ro
 io::Value list_of(const Source& source, const std::vector<std::uint32_t>& rows) {
   const auto collect = [&](auto read) {
     std::vector<decltype(read(0U))> items;
+    items.reserve(rows.size());
     for (const std::uint32_t row : rows) items.push_back(read(row));
     return io::Value(std::move(items));
   };

@@ -26,6 +26,7 @@ void check_fill(const FillRule& rule, const char* option, const char* instead) {
 
 std::vector<std::vector<std::string>> paths_of(const std::vector<RowInput>& inputs) {
   std::vector<std::vector<std::string>> paths;
+  paths.reserve(inputs.size());
   for (const RowInput& input : inputs) paths.push_back(input.paths);
   return paths;
 }

@@ -2,8 +2,7 @@
 #include "io/attribute_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
+#include <stdexcept>
 #include <tuple>
 
 #include "io/attribute_data.h"
@@ -51,6 +50,12 @@ std::weak_ordering order(const Value& a, const Value& b) {
 std::weak_ordering order_of_numbers(double a, double b) {
   if (a != a || b != b) return order(a != a, b != b);
   return order(a, b);
+}
+
+AttributeTable::Data::Field value_field(const AttributeTable::Data& data, std::size_t row, std::size_t column) {
+  const auto field = data.field(row, column);
+  if (!field.feature) throw std::logic_error("a null has no value");
+  return field;
 }
 
 }  // namespace
@@ -111,17 +116,17 @@ AttributeTable::Data::Field AttributeTable::Data::field(std::size_t row, std::si
 bool AttributeTable::is_null(std::size_t row, std::size_t column) const { return !data_->field(row, column).feature; }
 
 std::int64_t AttributeTable::integer(std::size_t row, std::size_t column) const {
-  const Data::Field field = data_->field(row, column);
+  const Data::Field field = value_field(*data_, row, column);
   return field.feature->GetFieldAsInteger64(field.index);
 }
 
 double AttributeTable::real(std::size_t row, std::size_t column) const {
-  const Data::Field field = data_->field(row, column);
+  const Data::Field field = value_field(*data_, row, column);
   return field.feature->GetFieldAsDouble(field.index);
 }
 
 std::string AttributeTable::text(std::size_t row, std::size_t column) const {
-  const Data::Field field = data_->field(row, column);
+  const Data::Field field = value_field(*data_, row, column);
   return field_text(*field.feature, field.index);
 }
 
