@@ -7,6 +7,7 @@
 
 #include "io/read.h"
 #include "oblast/check_against.h"
+#include "oblast/check_rows.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
 #include "oblast/names.h"
@@ -26,6 +27,10 @@ directions of rings are those in the file. If the format prescribes other direct
 --canonical also checks the order that oblast writes: each contour starts at its
 lexicographically smallest vertex, and holes and polygons are sorted.
 
+--rows takes each feature of FILE as a row, as `oblast overlay` writes them. Rows may
+overlap. The command proves that each is closed and canonical, and that edges of different
+rows are identical or meet at common end points only.
+
 --against also checks whether FILE is the right result for the operands. It tests many
 points: some anywhere, some a few units in the last place beside edges, vertices and
 crossings. Each must be inside FILE exactly if the operation says so. It also tests all
@@ -35,25 +40,23 @@ overlay. Without --op the operands are united, as by `oblast union`.
 Examples
   oblast check burnt.gpkg && echo fit for any GIS
   oblast check burnt.gpkg --against fires/
+  oblast check communes_by_fire.gpkg --rows
   oblast check new.gpkg --against june.gpkg may.gpkg --op difference --points 1000000)";
 
 struct Arguments {
   std::string file;
   bool canonical = false;
+  bool rows = false;
   ContourConvention convention = ContourConvention::ogc;
   AgainstArguments against;
 };
 
-// Reading repairs some faults, so the check cannot see them. The report of the reader names them.
-std::string mended(const io::ReadReport& report) {
-  if (report.repeated_vertices)
-    return counted(report.repeated_vertices, "repeated vertex") + " in the file, dropped on reading";
-  if (report.unclosed_contours)
-    return counted(report.unclosed_contours, "unclosed contour") + " in the file, closed on reading";
-  return {};
-}
-
 int run(const Arguments& arguments, bool json) {
+  if (arguments.rows) {
+    if (arguments.canonical || !arguments.against.operands.empty())
+      throw CallError("--rows checks the order of each row anyway, and has no --against; leave out the other option");
+    return check_rows(arguments.file, arguments.convention, json);
+  }
   check_call(arguments.file, arguments.against);
   const std::vector<std::string> paths{arguments.file};
   const io::Layer layer = io::read(paths);
@@ -104,6 +107,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
       ->required()
       ->type_name("");
   command->add_flag("--canonical", arguments->canonical, "also check that the order is canonical");
+  command->add_flag("--rows", arguments->rows, "check that each feature is a row, and that rows fit together");
   command
       ->add_option_function<std::string>(
           "--contours", [arguments](const std::string& word) { arguments->convention = parse_contours(word); },

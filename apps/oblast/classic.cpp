@@ -26,7 +26,7 @@ METHOD                accepts
   margalit-knott      A and B are one contour each, whose edges are disjoint, meet at
                       their ends, or coincide
 For any other input the error names the contour, the vertex and another method. For input
-that a method accepts, the result has the same bytes as that of `oblast overlay`.
+that a method accepts, the result has the same bytes as that of `oblast overlay --merge`.
 
 Example
   oblast classic sutherland-hodgman intersection land.gpkg window.wkt -o clip.gpkg)";

@@ -26,6 +26,9 @@ class CallError : public std::runtime_error {
 
 void add_union(CLI::App& program, Invocation& invocation);
 void add_overlay(CLI::App& program, Invocation& invocation);
+void add_dissolve(CLI::App& program, Invocation& invocation);
+void add_depth(CLI::App& program, Invocation& invocation);
+void add_partition(CLI::App& program, Invocation& invocation);
 void add_check(CLI::App& program, Invocation& invocation);
 void add_triangulate(CLI::App& program, Invocation& invocation);
 void add_corpus(CLI::App& program, Invocation& invocation);

@@ -22,7 +22,7 @@ waves, fifty small waves and a random deviation at every vertex.
 Example: two polygons of a million vertices each, and their intersection
   oblast generate star -n 1000000 -o a.gpkg
   oblast generate star -n 1000000 --turn 0.3 --seed 2 -o b.gpkg
-  oblast overlay intersection a.gpkg b.gpkg -o both.gpkg)";
+  oblast overlay intersection a.gpkg b.gpkg -o both.gpkg --merge)";
 
 struct Arguments {
   std::string output;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
@@ -16,36 +15,16 @@
 #include "oblast/console.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
+#include "oblast/stopwatch.h"
 #include "oblast/summary.h"
 
 namespace oblast::app {
 
 namespace {
 
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
 std::string label(const Job& job, std::size_t operand) {
   if (job.operands.size() == 1) return "input";
   return operand == 0 ? "A" : "B";
-}
-
-void check_call(const Job& job, const JobArguments& arguments, bool json) {
-  int from_standard_input = 0;
-  for (const auto& paths : job.operands) {
-    for (const std::string& path : paths) from_standard_input += path == "-";
-  }
-  if (from_standard_input > 1) throw CallError("standard input (-) can be named only once");
-  if (json && arguments.output == "-")
-    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  if (!arguments.picture.empty() && arguments.picture == arguments.output) {
-    throw CallError("--svg and -o name the same file; give them different names");
-  }
 }
 
 std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, ProgressLine& progress) {
@@ -61,13 +40,6 @@ std::vector<io::Layer> read_operands(const Job& job, const JobArguments& argumen
     layers.push_back(io::read(job.operands[k], options));
   }
   return layers;
-}
-
-void check_same_crs(const std::vector<io::Layer>& layers) {
-  if (layers.size() < 2 || io::same_crs(layers[0].crs_wkt, layers[1].crs_wkt)) return;
-  throw io::IoError(fmt::format("two coordinate systems: A ({}) is in {}, B ({}) is in {}; transform one of them first",
-                                layers[0].files.front(), io::crs_name(layers[0].crs_wkt), layers[1].files.front(),
-                                io::crs_name(layers[1].crs_wkt)));
 }
 
 RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options options, ProgressLine& progress) {
@@ -99,32 +71,67 @@ std::string short_name(const std::vector<std::string>& paths) {
   return text;
 }
 
-void draw(const Job& job, const JobArguments& arguments, const std::vector<io::Layer>& layers,
-          const RegionSet& result) {
+}  // namespace
+
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json) {
+  int from_standard_input = 0;
+  for (const auto& paths : operands) {
+    for (const std::string& path : paths) from_standard_input += path == "-";
+  }
+  if (from_standard_input > 1) throw CallError("standard input (-) can be named only once");
+  if (json && arguments.output == "-")
+    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
+  if (!arguments.picture.empty() && arguments.picture == arguments.output) {
+    throw CallError("--svg and -o name the same file; give them different names");
+  }
+}
+
+void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b) {
+  if (io::same_crs(a.crs_wkt, b.crs_wkt)) return;
+  throw io::IoError(
+      fmt::format("two coordinate systems: {} ({}) is in {}, {} ({}) is in {}; transform one of them first", label_a,
+                  a.files.front(), io::crs_name(a.crs_wkt), label_b, b.files.front(), io::crs_name(b.crs_wkt)));
+}
+
+void draw(const JobPicture& job, const JobArguments& arguments) {
   io::Picture picture;
-  picture.a = layers[0].regions;
+  const bool two = job.layers.size() > 1;
+  picture.a = job.layers[0]->regions;
   picture.label_a = short_name(job.operands[0]);
-  if (layers.size() > 1) {
-    picture.b = layers[1].regions;
+  if (two) {
+    picture.b = job.layers[1]->regions;
     picture.label_b = short_name(job.operands[1]);
   }
-  picture.result = result;
-  const std::string& crs = layers[0].crs_wkt.empty() ? layers.back().crs_wkt : layers[0].crs_wkt;
+  picture.result = job.result;
+  const std::string& crs = job.layers[0]->crs_wkt.empty() ? job.layers.back()->crs_wkt : job.layers[0]->crs_wkt;
   if (crs.rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
-  picture.label_result = layers.size() > 1 ? name(job.operation) : "union";
-  picture.title = layers.size() > 1
-                      ? fmt::format("{} of {} and {}", name(job.operation), picture.label_a, picture.label_b)
+  picture.label_result = job.operation;
+  picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
                       : fmt::format("union of {}", picture.label_a);
   io::write_svg(arguments.picture, picture, arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
 }
 
-}  // namespace
-
-void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
+void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
   JobArguments* const a = &arguments;
   command.add_option("-o,--output", a->output, "file for the result; `-`: WKT on standard output")
       ->required()
       ->type_name("OUT");
+  command
+      .add_option_function<std::string>(
+          "--contours", [a](const std::string& word) { a->options.contours = parse_contours(word); },
+          "how to write contours that touch themselves: ogc (default) or leonov-nikitin")
+      ->type_name("CONVENTION");
+  command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
+  add_call_options(command, a->options);
+  command.add_flag("--overwrite", a->overwrite, "replace existing files");
+  command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
+  command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
+}
+
+void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
+  add_file_options(command, arguments, invocation);
+  JobArguments* const a = &arguments;
   const std::string rules = "polygons (default), atleast:K, evenodd, nonzero, positive or negative";
   command
       .add_option_function<std::string>(
@@ -142,23 +149,12 @@ void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& inv
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
           "leonov-nikitin (default), vatti or skvortsov; all give the same bytes")
       ->type_name("ENGINE");
-  command
-      .add_option_function<std::string>(
-          "--contours", [a](const std::string& word) { a->options.contours = parse_contours(word); },
-          "how to write contours that touch themselves: ogc (default) or leonov-nikitin")
-      ->type_name("CONVENTION");
-  command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
-  add_call_options(command, a->options);
   command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
-  command.add_flag("--overwrite", a->overwrite, "replace existing files");
-  command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
-  command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
-  command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
 }
 
 int run_job(const Job& job, const JobArguments& arguments, bool json) {
   const Stopwatch total;
-  check_call(job, arguments, json);
+  check_call(job.operands, arguments, json);
   io::WriteOptions write_options;
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
 
@@ -169,7 +165,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   ProgressLine progress(!arguments.quiet);
   const Stopwatch reading;
   const std::vector<io::Layer> layers = read_operands(job, arguments, progress);
-  check_same_crs(layers);
+  if (layers.size() > 1) check_same_crs("A", layers[0], "B", layers[1]);
   summary.seconds_read = reading.seconds();
 
   Options options = arguments.options;
@@ -189,7 +185,9 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
     if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
     progress.show("drawing", 0);
     const Stopwatch drawing;
-    draw(job, arguments, layers, result);
+    JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union"};
+    for (const io::Layer& layer : layers) picture.layers.push_back(&layer);
+    draw(picture, arguments);
     summary.seconds_picture = drawing.seconds();
   }
   progress.clear();

@@ -1,18 +1,20 @@
-// The common part of `union` and `overlay`: their options, and the work from input files to the summary.
+// The common part of `union` and `overlay --merge`: their options, and the work from input files to the summary.
 #pragma once
 
 #include <oblast/options.h>
+#include <oblast/region_set.h>
 
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/layer.h"
 #include "oblast/command.h"
 
 namespace oblast::app {
 
-/// Options common to both commands, as given on the command line.
+/// Options as given on the command line. Commands whose results are rows have some of them.
 struct JobArguments {
   std::string output;
   std::string picture;
@@ -25,9 +27,25 @@ struct JobArguments {
   Options options;                 ///< engine, contours, threads
 };
 
-/// Adds the common options to a command. Only a command with two operands gets `--fill-b`.
+/// The options of the files and of the computation that every command with a result has.
+void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation);
+/// Adds all options to a command. Only a command with two operands gets `--fill-b`.
 enum class Operands { one, two };
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands);
+
+/// Checks that options do not contradict each other. Throws CallError.
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json);
+/// Throws IoError, which names the files, if A and another operand have different coordinate systems.
+void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b);
+
+/// What a picture shows: the operands, one or two, the result, and its name ("difference").
+struct JobPicture {
+  std::vector<const io::Layer*> layers;
+  std::vector<std::vector<std::string>> operands;  ///< paths
+  RegionView result;
+  std::string operation;
+};
+void draw(const JobPicture& job, const JobArguments& arguments);
 
 /// The inputs and the operation of a job.
 struct Job {

@@ -20,6 +20,11 @@ constexpr Word<Operation> operations[] = {{"intersection", Operation::intersecti
                                           {"union", Operation::unite},
                                           {"difference", Operation::difference},
                                           {"symdifference", Operation::symmetric_difference}};
+constexpr Word<FeatureOperation> feature_operations[] = {{"intersection", FeatureOperation::intersection},
+                                                         {"union", FeatureOperation::unite},
+                                                         {"difference", FeatureOperation::difference},
+                                                         {"symdifference", FeatureOperation::symmetric_difference},
+                                                         {"identity", FeatureOperation::identity}};
 constexpr Word<Engine> engines[] = {
     {"leonov-nikitin", Engine::leonov_nikitin}, {"vatti", Engine::vatti}, {"skvortsov", Engine::skvortsov}};
 constexpr Word<FillRule::Kind> fills[] = {{"polygons", FillRule::Kind::polygons},
@@ -53,6 +58,9 @@ std::string word_of(Value value, const Word<Value> (&words)[count]) {
 }  // namespace
 
 Operation parse_operation(const std::string& word) { return parse(word, operations, "operation"); }
+FeatureOperation parse_feature_operation(const std::string& word) {
+  return parse(word, feature_operations, "operation");
+}
 Engine parse_engine(const std::string& word) { return parse(word, engines, "engine"); }
 ContourConvention parse_contours(const std::string& word) { return parse(word, conventions, "contour convention"); }
 
@@ -70,12 +78,18 @@ FillRule parse_fill(const std::string& word) {
 }
 
 std::string name(Operation operation) { return word_of(operation, operations); }
+std::string name(FeatureOperation operation) { return word_of(operation, feature_operations); }
 std::string name(Engine engine) { return word_of(engine, engines); }
 std::string name(ContourConvention convention) { return word_of(convention, conventions); }
 std::string name(Stage stage) { return stages[static_cast<int>(stage)]; }
 std::string name(const FillRule& rule) {
   if (rule.kind == FillRule::Kind::at_least) return fmt::format("atleast:{}", rule.depth);
   return word_of(rule.kind, fills);
+}
+
+std::optional<Operation> merged_operation(FeatureOperation operation) {
+  if (operation == FeatureOperation::identity) return std::nullopt;
+  return parse_operation(name(operation));
 }
 
 }  // namespace oblast::app

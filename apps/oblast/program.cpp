@@ -79,6 +79,9 @@ int run_program(int argc, char** argv) {
   Invocation invocation;
   add_union(program, invocation);
   add_overlay(program, invocation);
+  add_dissolve(program, invocation);
+  add_depth(program, invocation);
+  add_partition(program, invocation);
   add_check(program, invocation);
   add_triangulate(program, invocation);
   add_generate(program, invocation);

@@ -84,7 +84,8 @@ std::string to_text(const Summary& summary) {
                                             counted(operand.contours, "contour"), counted(operand.vertices, "vertex")));
     if (const std::string said = notes(operand); !said.empty()) text += line("", said);
   }
-  text += line("result", fmt::format("{}, {}, {}", counted(s.output_polygons, "polygon"),
+  const std::string rows = summary.rows ? counted(*summary.rows, "row") + ", " : "";
+  text += line("result", fmt::format("{}{}, {}, {}", rows, counted(s.output_polygons, "polygon"),
                                      counted(s.output_contours, "contour"), counted(s.output_vertices, "vertex")));
   text += line(
       "area", fmt::format("{:.10g} square units of the coordinates; coordinate system: {}", summary.area, summary.crs));
@@ -125,6 +126,11 @@ Json to_json(const Summary& summary) {
               {"resolved_polygons", s.resolved_polygons},
               {"seconds", std::move(seconds)},
               {"peak_memory_bytes", peak_memory()}};
+  if (summary.rows) {
+    object["result"]["rows"] = *summary.rows;
+    object["result"]["columns"] = summary.columns;
+    object["notes"] = summary.notes;
+  }
   if (!summary.picture.empty()) object["picture"] = summary.picture;
   return object;
 }

@@ -4,6 +4,7 @@
 #include <oblast/options.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,10 @@ struct Summary {
   std::string crs;      ///< name of the coordinate system
   Engine engine = Engine::leonov_nikitin;
   Statistics statistics;
-  double area = 0;  ///< squared units of the coordinates
+  std::optional<std::uint64_t> rows;  ///< of the result, if it has rows
+  std::uint64_t columns = 0;          ///< of its table
+  std::vector<std::string> notes;     ///< on its columns
+  double area = 0;                    ///< of all rows together, in squared units of the coordinates
   double seconds_read = 0;
   double seconds_write = 0;
   double seconds_picture = 0;

@@ -54,6 +54,13 @@ const Format* format_of(const std::string& path) {
   return found == std::end(known) ? nullptr : found;
 }
 
+bool is_wkt(const std::string& path) { return path == "-" || lower_extension(path) == ".wkt"; }
+
+bool is_geojson(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".geojson" || extension == ".json";
+}
+
 std::string readable_extensions() {
   return list([](const Format&) { return true; });
 }

@@ -26,6 +26,10 @@ const Format* format_of(const std::string& path);
 std::string readable_extensions();
 std::string writable_extensions();
 
+/// WKT, also that on standard input (`-`).
+bool is_wkt(const std::string& path);
+bool is_geojson(const std::string& path);
+
 /// The extension in lower case, with its dot.
 std::string lower_extension(const std::string& path);
 

@@ -8,7 +8,6 @@
 // counter-clockwise, as in all other formats.
 #include "io/gdal_reader.h"
 
-#include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 #include "io/crs_reader.h"
 #include "io/flatgeobuf_order.h"
 #include "io/formats.h"
-#include "io/gdal_session.h"
+#include "io/gdal_source.h"
 #include "io/layer_builder.h"
 #include "io/shapefile_check.h"
 
@@ -111,12 +110,13 @@ void check_count(OGRLayer& source, std::uint64_t features, const std::string& fi
 
 void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
                 Layer& layer) {
-  LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options.other);
+  LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options);
   if (file.shapefile) builder.turn_rings();
   const std::uint64_t features_before = layer.report.features;
   std::vector<Point> scratch;
-  FlatgeobufOrder order(file.flatgeobuf ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
-  ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
+  const bool reorder = file.flatgeobuf && options.entries == FeatureEntries::with_polygons && options.where.empty();
+  FlatgeobufOrder order(reorder ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
+  if (options.where.empty()) ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
   const auto check = [&](const std::string& place) {
     if (messages.failed()) throw IoError(place + ": cannot be read to the end: " + messages.text(""));
   };
@@ -136,41 +136,26 @@ void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages
     order.add(*feature);
   }
   check(layer.files.back());
-  if (file.flatgeobuf) check_count(source, layer.report.features - features_before, layer.files.back());
+  if (file.flatgeobuf && options.where.empty())
+    check_count(source, layer.report.features - features_before, layer.files.back());
   order.restore();
 }
 
 }  // namespace
 
 Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
-  register_gdal_drivers();
-  GdalMessages messages;
-  // Without this, GDAL lists the folder again for each file: quadratic in the number of files.
-  const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
-  const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
-  const ThreadOption no_repair("SHAPE_RESTORE_SHX", "NO");
-  const ThreadOption no_comparing("USE_OSR_FIND_MATCHES", "NO");
-  const ThreadOption no_size_limit("OGR_GEOJSON_MAX_OBJ_SIZE", "0");
-
-  const Format* format = format_of(path);
   const File file{lower_extension(path) == ".shp", lower_extension(path) == ".fgb"};
   if (file.shapefile) check_shapefile(path);
-  const std::unique_ptr<GDALDataset> dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                        format && format->drivers[0] ? format->drivers : nullptr));
-  if (!dataset)
-    throw IoError(path + " is not a vector file that can be read: " + messages.text("no driver of GDAL recognises it"));
-
+  GdalSource source(path);
   Layer layer;
   CommonCrs crs;
-  for (OGRLayer* source : dataset->GetLayers()) {
-    if (source->GetGeomType() == wkbNone) continue;  // a table of attributes
-    layer.files.push_back(dataset->GetLayerCount() == 1 ? path : path + " (layer " + source->GetName() + ")");
-    crs.add(read_crs(*source, path), layer.files.back());
-    messages.clear();  // the file was opened in spite of these messages
-    read_layer(*source, file, messages, options, layer);
+  for (const GdalSource::Entry& entry : source.layers()) {
+    layer.files.push_back(entry.name);
+    crs.add(read_crs(*entry.layer, path), layer.files.back());
+    set_condition(entry, options.where, source.messages());
+    source.messages().clear();  // the file was opened in spite of these messages
+    read_layer(*entry.layer, file, source.messages(), options, layer);
   }
-  if (layer.files.empty()) throw IoError(path + " has no layer with geometry");
   layer.crs_wkt = crs.wkt();
   return layer;
 }

@@ -1,82 +1,20 @@
 // Writes Shapefile, GeoPackage and FlatGeobuf with GDAL.
 #include "io/gdal_writer.h"
 
-#include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <memory>
 
 #include "io/formats.h"
+#include "io/gdal_output.h"
 #include "io/gdal_session.h"
 #include "io/layer.h"
 
 namespace oblast::io {
 
 namespace {
-
-struct DatasetCloser {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
-
-double twice_signed_area(std::span<const Point> contour) {
-  double sum = 0;
-  Point previous = contour.back();
-  for (const Point& p : contour) {
-    sum += (previous.x - contour[0].x) * (p.y - contour[0].y) - (p.x - contour[0].x) * (previous.y - contour[0].y);
-    previous = p;
-  }
-  return sum;
-}
-
-// The directions of contours in a file.
-enum class Direction {
-  as_given,  ///< a result's: outer anticlockwise, holes clockwise
-  esri,      ///< Shapefile demands the outer contour clockwise and holes anticlockwise
-};
-
-// The contour as a closed ring. If it is reversed, its first vertex stays the first.
-void add_ring(OGRPolygon& polygon, std::span<const Point> contour, bool reverse, std::vector<Point>& scratch) {
-  scratch.assign(contour.begin(), contour.end());
-  if (reverse) std::reverse(scratch.begin() + 1, scratch.end());
-  scratch.push_back(contour.front());
-  auto ring = std::make_unique<OGRLinearRing>();
-  const auto count = static_cast<int>(scratch.size());
-  ring->setNumPoints(count, FALSE);
-  for (int i = 0; i < count; ++i) ring->setPoint(i, scratch[i].x, scratch[i].y);
-  polygon.addRingDirectly(ring.release());
-}
-
-std::unique_ptr<OGRPolygon> make_polygon(const RegionView& regions, std::size_t p, Direction direction,
-                                         std::vector<Point>& scratch) {
-  auto polygon = std::make_unique<OGRPolygon>();
-  bool outer = true;
-  for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
-    const auto contour = regions.contour(c);
-    if (contour.empty()) continue;
-    const double area = direction == Direction::esri ? twice_signed_area(contour) : 0;
-    add_ring(*polygon, contour, outer ? area > 0 : area < 0, scratch);
-    outer = false;
-  }
-  return polygon;
-}
-
-// GDAL reports errors by return value, by message, or by both. Either is an error here.
-class Check {
- public:
-  Check(const GdalMessages& messages, const std::string& name) : messages_(messages), name_(name) {}
-  void operator()(bool good) const {
-    if (good && !messages_.failed()) return;
-    throw IoError("cannot write " + name_ + ": " + messages_.text("GDAL failed and gave no reason"));
-  }
-
- private:
-  const GdalMessages& messages_;
-  const std::string& name_;
-};
 
 void write_features(OGRLayer& layer, const RegionView& regions, std::span<const std::int32_t> numbers,
                     Direction direction, const Check& check) {
@@ -101,18 +39,9 @@ void check_complete(const std::string& path, const char* driver, const RegionVie
   check(dataset && dataset->GetLayerCount() == 1);
   std::uint64_t features = 0;
   std::uint64_t vertices = 0;
-  const auto count = [&](const OGRPolygon& polygon) {
-    for (const OGRLinearRing* ring : polygon) vertices += ring->getNumPoints() - 1;  // it is closed
-  };
   while (const std::unique_ptr<OGRFeature> feature{dataset->GetLayer(0)->GetNextFeature()}) {
     ++features;
-    const OGRGeometry* geometry = feature->GetGeometryRef();
-    if (!geometry) continue;
-    if (wkbFlatten(geometry->getGeometryType()) == wkbPolygon) {
-      count(*geometry->toPolygon());
-    } else {
-      for (const OGRGeometry* part : *geometry->toGeometryCollection()) count(*part->toPolygon());
-    }
+    vertices += vertex_count(feature->GetGeometryRef());
   }
   check(true);
   if (features != regions.polygon_count() || vertices != regions.points.size()) {

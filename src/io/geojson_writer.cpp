@@ -33,20 +33,6 @@ void append_contour(std::string& text, std::span<const Point> contour) {
   text += ']';
 }
 
-void append_feature(std::string& text, const RegionView& regions, std::size_t p, std::int64_t number) {
-  text += fmt::format(R"({{"type":"Feature","properties":{{"polygon":{}}},"geometry":)"
-                      R"({{"type":"Polygon","coordinates":[)",
-                      number);
-  bool first = true;
-  for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
-    if (regions.contour(c).empty()) continue;
-    if (!first) text += ',';
-    append_contour(text, regions.contour(c));
-    first = false;
-  }
-  text += "]}}";
-}
-
 // "EPSG:3035" as the OGC's uniform resource name.
 std::string crs_member(const std::string& code) {
   const std::size_t colon = code.find(':');
@@ -56,16 +42,39 @@ std::string crs_member(const std::string& code) {
   return fmt::format(R"("crs":{{"type":"name","properties":{{"name":"{}"}}}},)", urn) + "\n";
 }
 
+void append_feature(std::string& text, const RegionView& regions, std::size_t p, std::int64_t number) {
+  text += fmt::format(
+      R"({{"type":"Feature","properties":{{"polygon":{}}},"geometry":{{"type":"Polygon","coordinates":)", number);
+  append_geojson_polygon(text, regions, p);
+  text += "}}";
+}
+
 }  // namespace
+
+void append_geojson_polygon(std::string& text, const RegionView& regions, std::size_t p) {
+  text += '[';
+  bool first = true;
+  for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
+    if (regions.contour(c).empty()) continue;
+    if (!first) text += ',';
+    append_contour(text, regions.contour(c));
+    first = false;
+  }
+  text += ']';
+}
+
+std::string geojson_begin(const std::string& crs_code_text) {
+  std::string text = "{\"type\":\"FeatureCollection\",\n";
+  if (!crs_code_text.empty()) text += crs_member(crs_code_text);
+  return text + "\"features\":[\n";
+}
 
 std::string to_geojson(const RegionView& regions, const std::string& crs_code_text,
                        std::span<const std::int32_t> numbers) {
   constexpr std::size_t typical_vertex_length = 40, typical_feature_length = 100;
   std::string text;
   text.reserve(regions.points.size() * typical_vertex_length + regions.polygon_count() * typical_feature_length + 200);
-  text += "{\"type\":\"FeatureCollection\",\n";
-  if (!crs_code_text.empty()) text += crs_member(crs_code_text);
-  text += "\"features\":[\n";
+  text += geojson_begin(crs_code_text);
   for (std::size_t p = 0; p < regions.polygon_count(); ++p) {
     append_feature(text, regions, p, numbers.empty() ? static_cast<std::int64_t>(p) : numbers[p]);
     text += p + 1 < regions.polygon_count() ? ",\n" : "\n";

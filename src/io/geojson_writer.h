@@ -16,6 +16,11 @@ namespace oblast::io {
 std::string to_geojson(const RegionView& regions, const std::string& crs_code,
                        std::span<const std::int32_t> numbers = {});
 
+/// The coordinates of a polygon: an array of rings.
+void append_geojson_polygon(std::string& text, const RegionView& regions, std::size_t p);
+/// All that comes before the first feature.
+std::string geojson_begin(const std::string& crs_code);
+
 /// The code by which GeoJSON names the coordinate system; "" for none. Throws IoError if the system has no code:
 /// GeoJSON cannot name it otherwise, and readers assume longitude and latitude for a file without a name.
 std::string geojson_crs_code(const std::string& crs_wkt);

@@ -74,11 +74,9 @@ void LayerBuilder::end_feature() {
   ++report.features;
   if (has_z_) ++report.with_z;
   if (has_m_) ++report.with_m;
-  if (layer_.regions.polygon_ends.size() > first_polygon_) {
-    layer_.features.push_back({first_polygon_, file_, feature_});
-  } else if (!other_seen_) {
-    ++report.empty_geometries;
-  }
+  const bool has_polygons = layer_.regions.polygon_ends.size() > first_polygon_;
+  if (has_polygons || entries_ == FeatureEntries::all) layer_.features.push_back({first_polygon_, file_, feature_});
+  if (!has_polygons && !other_seen_) ++report.empty_geometries;
 }
 
 void LayerBuilder::null_geometry() {

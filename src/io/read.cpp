@@ -22,8 +22,10 @@ namespace oblast::io {
 namespace {
 
 Layer read_one(const std::string& path, const ReadOptions& options) {
+  if (!options.where.empty() && is_wkt(path))
+    throw IoError((path == "-" ? "standard input" : path) + " is WKT, which has no attributes for a condition");
   if (path == "-") return read_wkt(read_text(path), "standard input", options);
-  if (lower_extension(path) == ".wkt") return read_wkt(read_text(path), path, options);
+  if (is_wkt(path)) return read_wkt(read_text(path), path, options);
   return read_with_gdal(path, options);
 }
 

@@ -12,8 +12,17 @@ namespace oblast::io {
 /// What to do with lines and points in a polygon layer.
 enum class OtherGeometry { count_and_skip, refuse };
 
+/// Which features get an entry in Layer::features.
+enum class FeatureEntries {
+  with_polygons,  ///< those that have polygons
+  all,            ///< every one, also without geometry, in the order of the file: the rows of a table
+};
+
 struct ReadOptions {
   OtherGeometry other = OtherGeometry::count_and_skip;
+  FeatureEntries entries = FeatureEntries::with_polygons;
+  /// Only features for which this condition on their attributes holds, as in GDAL's `-where`: "area > 3". Empty: all.
+  std::string where = {};
   int threads = 0;  ///< 0: all cores. Files are read in parallel; the order of the polygons does not depend on it
   std::function<void(std::size_t files_done, std::size_t files)> progress;
 };

@@ -23,7 +23,7 @@ class WktParser {
         end_(begin_ + text.size()),
         line_start_(begin_),
         name_(name),
-        builder_(layer, 0, options.other) {
+        builder_(layer, 0, options) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
   }

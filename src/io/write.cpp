@@ -30,11 +30,6 @@ const Format& writable_format(const std::string& path) {
                 "; choose from " + writable_extensions());
 }
 
-// A shapefile's .shp names the whole set; GDAL gives its files lower-case extensions.
-std::string target_of(const std::string& path) {
-  return lower_extension(path) == ".shp" ? fs::path(path).replace_extension(".shp").string() : path;
-}
-
 OutputFiles files_of(const std::string& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".shp") {
@@ -58,12 +53,21 @@ void refuse_existing(const std::string& path) {
   }
 }
 
-bool is_geojson(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".geojson" || extension == ".json";
+}  // namespace
+
+// A shapefile's .shp names the whole set.
+std::string target_of(const std::string& path) {
+  return lower_extension(path) == ".shp" ? fs::path(path).replace_extension(".shp").string() : path;
 }
 
-}  // namespace
+void write_staged(const std::string& target, Existing existing,
+                  const std::function<void(const std::string& path)>& write_to) {
+  StagedOutput stage(target, files_of(target));
+  write_to(stage.path());
+  // Another program may have made a file of this name in the meantime.
+  if (existing == Existing::refuse) refuse_existing(target);
+  stage.commit();
+}
 
 void check_writable(const std::string& path_given, const WriteOptions& options) {
   if (path_given == "-") return;
@@ -90,17 +94,15 @@ void write(const std::string& path_given, const RegionView& regions, const Write
     return;
   }
   const std::string path = target_of(path_given);
-  StagedOutput stage(path, files_of(path));
-  if (const char* driver = writable_format(path).writer) {
-    write_with_gdal(stage.path(), driver, regions, options.crs_wkt, path, options.polygon_numbers);
-  } else if (is_geojson(path)) {
-    write_text(stage.path(), to_geojson(regions, geojson_crs_code(options.crs_wkt), options.polygon_numbers), path);
-  } else {
-    write_text(stage.path(), to_wkt(regions) + "\n", path);
-  }
-  // Another program may have made a file of this name in the meantime.
-  if (options.existing == Existing::refuse) refuse_existing(path);
-  stage.commit();
+  write_staged(path, options.existing, [&](const std::string& stage) {
+    if (const char* driver = writable_format(path).writer) {
+      write_with_gdal(stage, driver, regions, options.crs_wkt, path, options.polygon_numbers);
+    } else if (is_geojson(path)) {
+      write_text(stage, to_geojson(regions, geojson_crs_code(options.crs_wkt), options.polygon_numbers), path);
+    } else {
+      write_text(stage, to_wkt(regions) + "\n", path);
+    }
+  });
 }
 
 }  // namespace oblast::io

@@ -4,6 +4,7 @@
 #include <oblast/region_set.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -28,6 +29,13 @@ void check_writable(const std::string& path, const WriteOptions& options = {});
 /// standard output). Coordinates keep their bits; text formats have the fewest digits that read back to the same bits.
 /// Throws IoError; then an older file at `path` is unchanged.
 void write(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
+
+/// The name under which a result is written: GDAL gives the files of a shapefile lower-case extensions.
+std::string target_of(const std::string& path);
+
+/// Writes to a temporary name, and renames. `write_to` gets the temporary path.
+void write_staged(const std::string& target, Existing existing,
+                  const std::function<void(const std::string& path)>& write_to);
 
 /// Removes temporary files of writes under way. Safe to call in a signal handler.
 void discard_unfinished();

@@ -19,8 +19,8 @@ constexpr const char* their_union = "POLYGON ((0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
-  for (const Words& command :
-       {Words{"union"}, Words{"overlay"}, Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
+  for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"},
+                               Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
     Words words = command;
     words.push_back("--help");
     const ProgramRun run = oblast_program(words);
@@ -105,7 +105,11 @@ TEST(Memory, ALimitThatIsTooSmallIsAnErrorThatSaysIt) {
   write_file(in, text);
   const std::vector<Words> calls = {
       {"union", in, "-o", out},
+      {"overlay", "union", in, in, "-o", out, "--merge"},
       {"overlay", "union", in, in, "-o", out},
+      {"dissolve", in, "-o", out},
+      {"depth", in, "-o", out},
+      {"partition", in, in, "-o", out},
       {"triangulate", in, "-o", out},
       {"hull", in, "-o", out},
       {"classic", "weiler-atherton", "union", in, in, "-o", out},
@@ -252,8 +256,9 @@ TEST(Overlay, OperationsFollowTheirNames) {
       {"intersection", 1}, {"union", 7}, {"difference", 3}, {"symdifference", 6}};
   for (const auto& [operation, area] : areas) {
     for (const char* engine : {"leonov-nikitin", "vatti", "skvortsov"}) {
-      const ProgramRun run = oblast_program({"overlay", operation, folder.path("a.wkt"), folder.path("b.wkt"), "-o",
-                                             folder.path("r.wkt"), "--overwrite", "--json", "--engine", engine});
+      const ProgramRun run =
+          oblast_program({"overlay", operation, folder.path("a.wkt"), folder.path("b.wkt"), "-o", folder.path("r.wkt"),
+                          "--merge", "--overwrite", "--json", "--engine", engine});
       ASSERT_EQ(run.code, 0) << run.err;
       EXPECT_EQ(Json::parse(run.out)["result"]["area"], area) << operation;
     }
@@ -282,7 +287,7 @@ TEST(Overlay, SecondFillRuleIsForTheSecondOperand) {
   write_file(folder / "b.wkt", two_squares);
   const ProgramRun run =
       oblast_program({"overlay", "difference", folder.path("a.wkt"), folder.path("b.wkt"), "-o", folder.path("o.wkt"),
-                      "--fill-b", "atleast:2", "--fill", "polygons", "--json"});
+                      "--merge", "--fill-b", "atleast:2", "--fill", "polygons", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["result"]["area"], 6.0);
 }

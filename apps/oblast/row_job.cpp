@@ -1,0 +1,181 @@
+// From files to rows in a file; see row_job.h.
+#include "oblast/row_job.h"
+
+#include <fmt/format.h>
+#include <oblast/oblast.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "io/crs.h"
+#include "io/picture.h"
+#include "io/row_measures.h"
+#include "io/write_rows.h"
+#include "oblast/interrupt.h"
+#include "oblast/names.h"
+
+namespace oblast::app {
+
+namespace {
+
+void check_fill(const FillRule& rule, const char* option, const char* instead) {
+  if (rule.by_polygon()) return;
+  throw CallError(fmt::format("{} {} reads all contours of a layer together, so there are no rows; {}", option,
+                              name(rule), instead));
+}
+
+std::vector<std::vector<std::string>> paths_of(const std::vector<RowInput>& inputs) {
+  std::vector<std::vector<std::string>> paths;
+  paths.reserve(inputs.size());
+  for (const RowInput& input : inputs) paths.push_back(input.paths);
+  return paths;
+}
+
+io::WriteOptions write_options(const JobArguments& arguments, const std::string& crs_wkt) {
+  io::WriteOptions options;
+  options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  options.crs_wkt = crs_wkt;
+  return options;
+}
+
+}  // namespace
+
+void add_row_options(CLI::App& command, RowArguments& arguments, Select select) {
+  command
+      .add_option("--where", arguments.where,
+                  "use only the features for which this condition on their attributes holds, such as \"level > 3\"")
+      ->type_name("CONDITION");
+  if (select == Select::columns) {
+    command.add_option("--select", arguments.select, "keep only these columns (default: all)")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("COLUMN,...");
+  }
+  command.add_option("--area", arguments.area, "add a column with the area of each row")->type_name("COLUMN");
+  command.add_option("--perimeter", arguments.perimeter, "add a column with the perimeter of each row")
+      ->type_name("COLUMN");
+}
+
+RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArguments& arguments,
+               const RowArguments& row_arguments, bool json)
+    : command_(std::move(command)),
+      inputs_(std::move(inputs)),
+      arguments_(arguments),
+      row_arguments_(row_arguments),
+      json_(json),
+      progress_(!arguments.quiet) {
+  check_call(paths_of(inputs_), arguments_, json);
+  const char* const instead = inputs_.size() > 1 ? "add --merge" : "leave out --source";
+  check_fill(arguments_.fill, "--fill", instead);
+  if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b", instead);
+  io::check_writable(arguments_.output, write_options(arguments_, {}));
+  if (!arguments_.picture.empty())
+    io::check_picture_writable(arguments_.picture, write_options(arguments_, {}).existing);
+
+  const Stopwatch reading;
+  for (const RowInput& input : inputs_) {
+    io::ReadOptions options;
+    options.other = arguments_.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
+    options.where = input.where.value_or(row_arguments_.where);
+    options.threads = arguments_.options.threads;
+    options.progress = [&](std::size_t done, std::size_t files) {
+      progress_.show("reading " + input.label, static_cast<double>(done) / static_cast<double>(std::max(files, done)));
+    };
+    layers_.push_back(io::read_rows(input.paths, options, notes_));
+    const io::Layer& layer = layers_.back().layer;
+    for (std::size_t k = 0; k + 1 < layers_.size(); ++k)
+      check_same_crs(inputs_[k].label, layers_[k].layer, input.label, layer);
+    if (crs_wkt_.empty()) crs_wkt_ = layer.crs_wkt;
+  }
+  summary_.seconds_read = reading.seconds();
+  for (const std::string& column : row_arguments_.select) check_column(column, layers_);
+}
+
+void RowJob::compute(const std::function<void(const Options&)>& run) {
+  Options options = arguments_.options;
+  options.fill_a = arguments_.fill;
+  options.fill_b = arguments_.fill_b.value_or(arguments_.fill);
+  options.statistics = &summary_.statistics;
+  options.collinear = arguments_.minimal ? CollinearVertices::drop : CollinearVertices::keep;
+  InterruptFlag watch;
+  options.progress = [&](Stage stage, double fraction) {
+    progress_.show(name(stage), fraction);
+    return !interrupted();
+  };
+  try {
+    run(options);
+    watch.end();
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::cancelled) throw Interrupted();
+    if (error.code() == ErrorCode::bad_option) throw CallError(error.what());
+    const std::size_t operand = error.place().operand;
+    if (operand >= layers_.size() || error.place().contour == Place::npos) throw io::IoError(error.what());
+    throw io::IoError(fmt::format("{}: {}", io::describe(layers_[operand].layer, error.place()), error.what()));
+  }
+}
+
+void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
+  if (row_arguments_.area.empty() && row_arguments_.perimeter.empty()) return;
+  const io::RowMeasures measures(crs_wkt_);
+  const auto add = [&](const std::string& column, const std::string& unit, const std::vector<double>& values) {
+    for (const io::OutputColumn& other : columns.columns) {
+      if (other.column.name == column)
+        throw CallError(fmt::format("there is a column {} already; choose another name for the measure", column));
+    }
+    columns.add(column, values);
+    units_.push_back(fmt::format("{} is in {}", column, unit));
+  };
+  if (!row_arguments_.area.empty()) add(row_arguments_.area, measures.area_unit(), measures.areas(rows));
+  if (!row_arguments_.perimeter.empty())
+    add(row_arguments_.perimeter, measures.length_unit(), measures.perimeters(rows));
+}
+
+int RowJob::finish(const FeatureView& rows, ResultColumns columns, const std::string& operation) {
+  add_measures(rows, columns);
+  progress_.show("writing", 0);
+  const Stopwatch writing;
+  io::write_rows(arguments_.output, rows, columns.columns, write_options(arguments_, crs_wkt_), notes_);
+  summary_.seconds_write = writing.seconds();
+  if (!arguments_.picture.empty()) {
+    if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
+    progress_.show("drawing", 0);
+    const Stopwatch drawing;
+    JobPicture picture{{}, paths_of(inputs_), rows.regions, operation};
+    for (const io::Rows& layer : layers_) picture.layers.push_back(&layer.layer);
+    draw(picture, arguments_);
+    summary_.seconds_picture = drawing.seconds();
+  }
+  progress_.clear();
+  print_notes();
+  print_summary(rows, columns.columns.size());
+  return exit_done;
+}
+
+// Notes are printed with --quiet, too: what the file does not hold must not go unsaid.
+void RowJob::print_notes() const {
+  for (const std::string& note : notes_) fmt::print(stderr, "note: {}\n", note);
+  if (arguments_.quiet) return;
+  for (const std::string& unit : units_) fmt::print(stderr, "note: {}\n", unit);
+}
+
+void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
+  summary_.command = command_;
+  for (std::size_t k = 0; k < layers_.size(); ++k)
+    summary_.operands.push_back(summarise(inputs_[k].label, inputs_[k].paths, layers_[k].layer));
+  summary_.output = arguments_.output;
+  summary_.picture = arguments_.picture;
+  summary_.crs = io::crs_name(crs_wkt_);
+  summary_.rows = rows.feature_count();
+  summary_.columns = columns;
+  summary_.notes = notes_;
+  summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
+  summary_.area = signed_area(rows.regions);
+  summary_.seconds_total = total_.seconds();
+  if (json_) {
+    fmt::print("{}\n", to_json(summary_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else if (!arguments_.quiet) {
+    fmt::print(stderr, "{}", to_text(summary_));
+  }
+}
+
+}  // namespace oblast::app

@@ -1,0 +1,93 @@
+// The common part of the commands whose results are rows: `overlay`, `dissolve`, `depth` and `partition`.
+#pragma once
+
+#include <oblast/features.h>
+
+#include <CLI/CLI.hpp>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/row_columns.h"
+#include "io/rows.h"
+#include "oblast/console.h"
+#include "oblast/job.h"
+#include "oblast/stopwatch.h"
+#include "oblast/summary.h"
+
+namespace oblast::app {
+
+/// The options of rows, as given on the command line.
+struct RowArguments {
+  std::string where;
+  std::optional<std::string> where_a, where_b;  ///< in place of `where`
+  std::vector<std::string> select;              ///< empty: all columns
+  std::string area;                             ///< name of the column; empty: none
+  std::string perimeter;
+};
+
+enum class Select { columns, none };
+/// Adds --where, --area and --perimeter, and --select to a command that keeps columns.
+void add_row_options(CLI::App& command, RowArguments& arguments, Select select);
+
+/// The columns of a result, and the indices that join them.
+struct ResultColumns {
+  std::vector<io::OutputColumn> columns;
+  std::deque<std::vector<std::uint32_t>> indices;
+
+  /// Column `index` of `table`, with a row of the table for each row of the result.
+  void join(const io::AttributeTable& table, std::size_t index, std::span<const std::uint32_t> rows);
+  void add(const std::string& name, io::ColumnType type, std::vector<io::Value> values);
+  void add(const std::string& name, const std::vector<double>& values);
+};
+
+/// One input: a layer. `label` is "A", "B", ...; "input" if there is one.
+struct RowInput {
+  std::string label;
+  std::vector<std::string> paths;
+  std::optional<std::string> where = {};  ///< in place of RowArguments::where
+};
+
+/// Reads the inputs, computes, writes and reports.
+class RowJob {
+ public:
+  /// Reads. Errors of the call and of the output are reported before. `command` is for the summary.
+  RowJob(std::string command, std::vector<RowInput> inputs, const JobArguments& arguments,
+         const RowArguments& row_arguments, bool json);
+
+  const std::vector<io::Rows>& layers() const { return layers_; }
+
+  /// Calls `run` with the options; errors get the names of file and feature.
+  void compute(const std::function<void(const Options&)>& run);
+
+  /// Writes the rows, draws if a picture is wanted (of the `operation`), and prints notes and the summary. Returns an
+  /// exit code.
+  int finish(const FeatureView& rows, ResultColumns columns, const std::string& operation = {});
+
+ private:
+  void add_measures(const FeatureView& rows, ResultColumns& columns);
+  void print_notes() const;
+  void print_summary(const FeatureView& rows, std::size_t columns);
+
+  Stopwatch total_;
+  std::string command_;
+  std::vector<RowInput> inputs_;
+  JobArguments arguments_;
+  RowArguments row_arguments_;
+  bool json_;
+  ProgressLine progress_;
+  Summary summary_;
+  std::vector<std::string> notes_;  // what the file does not hold as it was given
+  std::vector<std::string> units_;  // of the measures
+  std::vector<io::Rows> layers_;
+  std::string crs_wkt_;
+};
+
+/// The columns of a table that --select names; all if it is empty.
+std::vector<std::size_t> selected(const io::AttributeTable& table, const std::vector<std::string>& select);
+/// Throws IoError, which lists the columns there are, if none of the tables has a column of this name.
+void check_column(const std::string& name, const std::vector<io::Rows>& layers);
+
+}  // namespace oblast::app

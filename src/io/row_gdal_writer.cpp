@@ -1,0 +1,161 @@
+// Rows as Shapefile, GeoPackage and FlatGeobuf.
+#include <cpl_string.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "io/attribute_data.h"
+#include "io/gdal_output.h"
+#include "io/row_fields.h"
+#include "io/row_writers.h"
+
+namespace oblast::io {
+
+namespace {
+
+bool equal_without_case(const std::string& a, const std::string& b) { return EQUAL(a.c_str(), b.c_str()); }
+
+// A name that no column has.
+std::string free_name(const std::string& wanted, const FieldPlan& plan) {
+  std::string name = wanted;
+  while (std::any_of(plan.fields.begin(), plan.fields.end(),
+                     [&](const Column& field) { return equal_without_case(field.name, name); }))
+    name += '_';
+  return name;
+}
+
+// GDAL leaves features without geometry out of FlatGeobuf, and does not say so.
+void refuse_empty_rows(const RowOutput& output) {
+  for (std::size_t row = 0; row < output.rows.feature_count(); ++row) {
+    if (output.rows.feature_begin(row) == output.rows.feature_end(row))
+      throw IoError(
+          fmt::format("cannot write {}: row {} has no polygons, and FlatGeobuf does not keep such rows; write "
+                      ".gpkg instead",
+                      output.name, row));
+  }
+}
+
+CPLStringList layer_options(const std::string& driver, const FieldPlan& plan) {
+  CPLStringList options;
+  if (driver == "ESRI Shapefile") options.SetNameValue("ENCODING", "UTF-8");
+  if (driver == "GPKG") {
+    options.SetNameValue("FID", free_name("fid", plan).c_str());
+    options.SetNameValue("GEOMETRY_NAME", free_name("geom", plan).c_str());
+  }
+  return options;
+}
+
+void write_features(OGRLayer& layer, const RowOutput& output, const RowFields& fields, Direction direction,
+                    const Check& check) {
+  std::vector<Point> scratch;
+  const FeatureView& rows = output.rows;
+  for (std::size_t row = 0; row < rows.feature_count(); ++row) {
+    OGRFeature feature(layer.GetLayerDefn());
+    fields.fill(feature, row);
+    const std::size_t begin = rows.feature_begin(row), end = rows.feature_end(row);
+    if (begin < end) {
+      auto geometry = std::make_unique<OGRMultiPolygon>();
+      for (std::size_t p = begin; p < end; ++p)
+        geometry->addGeometryDirectly(make_polygon(rows.regions, p, direction, scratch).release());
+      feature.SetGeometryDirectly(geometry.release());
+    }
+    check(layer.CreateFeature(&feature) == OGRERR_NONE);
+  }
+}
+
+void create_fields(OGRLayer& layer, const FieldPlan& plan, const Check& check) {
+  for (const Column& field : plan.fields) {
+    OGRFieldDefn defined(field.name.c_str(), OFTString);
+    define(defined, field);
+    check(layer.CreateField(&defined) == OGRERR_NONE);
+    const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+    const std::string made = definition.GetFieldDefn(definition.GetFieldCount() - 1)->GetNameRef();
+    if (made != field.name)
+      throw IoError(fmt::format("cannot write column {}: GDAL would call it {}; rename it", field.name, made));
+  }
+}
+
+// See write_with_gdal. Attributes are compared as well, where the file keeps the order of the rows.
+void check_complete(const std::string& path, const std::string& driver, const RowOutput& output,
+                    const RowFields& fields, OGRFeatureDefn& given_fields, std::vector<std::string>& notes) {
+  GdalMessages messages;
+  const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
+  const ThreadOption no_comparing("USE_OSR_FIND_MATCHES", "NO");
+  const char* const drivers[] = {driver.c_str(), nullptr};
+  const Check check(messages, output.name);
+  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers));
+  check(dataset && dataset->GetLayerCount() == 1);
+  const bool in_order = driver != "FlatGeobuf";
+  ChangedValues changed(fields.size());
+  std::size_t row = 0;
+  std::uint64_t vertices = 0;
+  while (const std::unique_ptr<OGRFeature> feature{dataset->GetLayer(0)->GetNextFeature()}) {
+    vertices += vertex_count(feature->GetGeometryRef());
+    if (in_order && row < output.rows.feature_count()) {
+      OGRFeature given(&given_fields);
+      fields.fill(given, row);
+      changed.compare(given, *feature);
+    }
+    ++row;
+  }
+  check(true);
+  if (row != output.rows.feature_count() || vertices != output.rows.regions.points.size())
+    throw IoError("cannot write " + output.name + ": what was written does not read back whole (is the disk full?)");
+  const std::vector<std::string> more = changed.notes(fields);
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+struct Release {
+  void operator()(OGRFeatureDefn* definition) const { definition->Release(); }
+};
+
+}  // namespace
+
+void write_rows_with_gdal(const std::string& path, const char* driver_name, const RowOutput& output,
+                          std::vector<std::string>& notes) {
+  register_gdal_drivers();
+  if (std::string_view(driver_name) == "FlatGeobuf") refuse_empty_rows(output);
+  const FieldPlan plan = plan_fields(output.columns, path);
+  const RowFields fields(output.columns, plan);
+  notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
+  std::unique_ptr<OGRFeatureDefn, Release> given(OGRFeatureDefn::CreateFeatureDefn("given"));
+  given->Reference();
+  given->SetGeomType(wkbNone);
+  for (const Column& field : plan.fields) {
+    OGRFieldDefn defined(field.name.c_str(), OFTString);
+    define(defined, field);
+    given->AddFieldDefn(&defined);
+  }
+  {
+    GdalMessages messages;
+    const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
+    const ThreadOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
+    const ThreadOption no_rewind("SHAPE_REWIND_ON_WRITE", "NO");
+    const Check check(messages, output.name);
+    OGRSpatialReference crs;
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    if (!output.crs_wkt.empty()) check(crs.importFromWkt(output.crs_wkt.c_str()) == OGRERR_NONE);
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
+    check(driver != nullptr);
+    Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    check(dataset != nullptr);
+    const bool shapefile = std::string_view(driver_name) == "ESRI Shapefile";
+    const std::string layer_name = std::filesystem::path(path).stem().string();
+    CPLStringList options = layer_options(driver_name, plan);
+    OGRLayer* layer = dataset->CreateLayer(layer_name.c_str(), output.crs_wkt.empty() ? nullptr : &crs,
+                                           shapefile ? wkbPolygon : wkbMultiPolygon, options.List());
+    check(layer != nullptr);
+    create_fields(*layer, plan, check);
+    const bool transactions = dataset->TestCapability(ODsCTransactions) != 0;
+    if (transactions) check(dataset->StartTransaction() == OGRERR_NONE);
+    write_features(*layer, output, fields, shapefile ? Direction::esri : Direction::as_given, check);
+    if (transactions) check(dataset->CommitTransaction() == OGRERR_NONE);
+    dataset.reset();  // the spatial index and the headers are written here
+    check(true);
+  }
+  check_complete(path, driver_name, output, fields, *given, notes);
+}
+
+}  // namespace oblast::io
