@@ -39,7 +39,7 @@ int run(const Arguments& arguments, bool json) {
   for (const FeatureKey& key : result.keys) depths.emplace_back(static_cast<std::int64_t>(key.a));
   ResultColumns columns;
   columns.add("depth", io::ColumnType::integer, std::move(depths));
-  return job.finish(result, std::move(columns));
+  return job.finish(result, std::move(columns), {"depth", "depth"});
 }
 
 }  // namespace

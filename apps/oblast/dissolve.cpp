@@ -71,7 +71,7 @@ int run(const Arguments& arguments, bool json) {
 
   FeatureSet result;
   job.compute([&](const Options& options) { result = dissolve(layer.view(), groups.group_of_row, options); });
-  return job.finish(result, std::move(columns));
+  return job.finish(result, std::move(columns), {"dissolve", arguments.by.empty() ? "" : arguments.by.front()});
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ void draw(const JobPicture& job, const JobArguments& arguments) {
   if (crs.rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
   picture.label_result = job.operation;
   picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
-                      : fmt::format("union of {}", picture.label_a);
+                      : fmt::format("{} of {}", job.operation, picture.label_a);
+  picture.classes = job.classes;
   io::write_svg(arguments.picture, picture, arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
 }
 
@@ -123,6 +124,7 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
       ->type_name("CONVENTION");
   command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
   add_call_options(command, a->options);
+  command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
   command.add_flag("--overwrite", a->overwrite, "replace existing files");
   command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
   command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
@@ -149,7 +151,6 @@ void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& inv
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
           "leonov-nikitin (default), vatti or skvortsov; all give the same bytes")
       ->type_name("ENGINE");
-  command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
 }
 
 int run_job(const Job& job, const JobArguments& arguments, bool json) {
@@ -185,7 +186,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
     if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
     progress.show("drawing", 0);
     const Stopwatch drawing;
-    JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union"};
+    JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union", {}};
     for (const io::Layer& layer : layers) picture.layers.push_back(&layer);
     draw(picture, arguments);
     summary.seconds_picture = drawing.seconds();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/layer.h"
+#include "io/picture.h"
 #include "oblast/command.h"
 
 namespace oblast::app {
@@ -44,6 +45,7 @@ struct JobPicture {
   std::vector<std::vector<std::string>> operands;  ///< paths
   RegionView result;
   std::string operation;
+  std::vector<io::PictureClass> classes;  ///< if there are any, in place of the operands
 };
 void draw(const JobPicture& job, const JobArguments& arguments);
 

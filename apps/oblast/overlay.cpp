@@ -18,8 +18,8 @@ each other and themselves.
 
 Each pair of a feature of A and a feature of B that overlap gives a row with the columns
 of both. The parts of A outside B (of B outside A) are rows with nulls in the columns of
-B (of A), if OP has them. Columns of the same name get _1 in A and _2 in B. Neighbouring
-rows share their borders bit for bit.
+B (of A), if OP has them. The rows of difference have the columns of A only. Columns of
+the same name get _1 in A and _2 in B. Neighbouring rows share their borders bit for bit.
 
 --merge leaves the attributes out: A and B are two regions, and so is the result. Then
 one feature is written for each polygon.
@@ -36,9 +36,10 @@ struct Arguments {
   RowArguments rows;
 };
 
-// All rows of the result are (i, j); columns of A are joined by i, those of B by j.
-void join_columns(const std::vector<io::Rows>& layers, const FeatureSet& result, const std::vector<std::string>& select,
-                  ResultColumns& columns) {
+// All rows of the result are (i, j); columns of A are joined by i, those of B by j. `layer_count` is 1 if no row has a
+// feature of B.
+void join_columns(const std::vector<io::Rows>& layers, std::size_t layer_count, const FeatureSet& result,
+                  const std::vector<std::string>& select, ResultColumns& columns) {
   auto& rows_a = columns.indices.emplace_back();
   auto& rows_b = columns.indices.emplace_back();
   for (const FeatureKey& key : result.keys) {
@@ -46,13 +47,13 @@ void join_columns(const std::vector<io::Rows>& layers, const FeatureSet& result,
     rows_b.push_back(key.b);
   }
   const std::span<const std::uint32_t> rows[] = {rows_a, rows_b};
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < layer_count; ++k) {
     const io::AttributeTable& table = layers[k].table;
     const io::AttributeTable& other = layers[1 - k].table;
     for (const std::size_t c : selected(table, select)) {
       columns.join(table, c, rows[k]);
       std::string& name = columns.columns.back().column.name;
-      if (other.find(name)) name += k == 0 ? "_1" : "_2";
+      if (layer_count > 1 && other.find(name)) name += k == 0 ? "_1" : "_2";
     }
   }
 }
@@ -68,8 +69,9 @@ int overlay_rows(const Arguments& arguments, bool json) {
     result = overlay_features(layers[0].view(), layers[1].view(), arguments.parsed, options);
   });
   ResultColumns columns;
-  join_columns(layers, result, arguments.rows.select, columns);
-  return job.finish(result, std::move(columns), operation);
+  const std::size_t layer_count = arguments.parsed == FeatureOperation::difference ? 1 : 2;
+  join_columns(layers, layer_count, result, arguments.rows.select, columns);
+  return job.finish(result, std::move(columns), {operation, {}});
 }
 
 int run(const Arguments& arguments, bool json) {

@@ -50,7 +50,7 @@ int run(const Arguments& arguments, bool json) {
   job.compute([&](const Options& options) { result = partition(views, options); });
   ResultColumns columns;
   add_sources(result, job.layers(), columns);
-  return job.finish(result.rows, std::move(columns));
+  return job.finish(result.rows, std::move(columns), {"partition", "count"});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "io/write_rows.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
+#include "oblast/row_colour.h"
 
 namespace oblast::app {
 
@@ -53,6 +54,8 @@ void add_row_options(CLI::App& command, RowArguments& arguments, Select select) 
   }
   command.add_option("--area", arguments.area, "add a column with the area of each row")->type_name("COLUMN");
   command.add_option("--perimeter", arguments.perimeter, "add a column with the perimeter of each row")
+      ->type_name("COLUMN");
+  command.add_option("--colour", arguments.colour, "with --svg: colour the rows by this column of the result")
       ->type_name("COLUMN");
 }
 
@@ -130,8 +133,30 @@ void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
     add(row_arguments_.perimeter, measures.length_unit(), measures.perimeters(rows));
 }
 
-int RowJob::finish(const FeatureView& rows, ResultColumns columns, const std::string& operation) {
+void RowJob::check_colour(const ResultColumns& columns) const {
+  if (row_arguments_.colour.empty()) return;
+  if (arguments_.picture.empty()) throw CallError("--colour is for pictures; add --svg PICTURE.svg");
+  if (find_column(columns.columns, row_arguments_.colour)) return;
+  std::string names;
+  for (const io::OutputColumn& column : columns.columns) names += (names.empty() ? "" : ", ") + column.column.name;
+  throw CallError(fmt::format("the result has no column {}; choose from {}", row_arguments_.colour, names));
+}
+
+void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, const RowPicture& picture) {
+  JobPicture drawn{{}, paths_of(inputs_), rows.regions, picture.operation, {}};
+  for (const io::Rows& layer : layers_) drawn.layers.push_back(&layer.layer);
+  const std::string& colour = row_arguments_.colour.empty() ? picture.colour : row_arguments_.colour;
+  if (const io::OutputColumn* column = find_column(columns.columns, colour)) {
+    drawn.classes = colour_classes(rows, *column);
+    drawn.result = {};
+    drawn.operation += " by " + colour;
+  }
+  draw(drawn, arguments_);
+}
+
+int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture) {
   add_measures(rows, columns);
+  check_colour(columns);
   progress_.show("writing", 0);
   const Stopwatch writing;
   io::write_rows(arguments_.output, rows, columns.columns, write_options(arguments_, crs_wkt_), notes_);
@@ -140,9 +165,7 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const std::st
     if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
     progress_.show("drawing", 0);
     const Stopwatch drawing;
-    JobPicture picture{{}, paths_of(inputs_), rows.regions, operation};
-    for (const io::Rows& layer : layers_) picture.layers.push_back(&layer.layer);
-    draw(picture, arguments_);
+    draw_rows(rows, columns, picture);
     summary_.seconds_picture = drawing.seconds();
   }
   progress_.clear();

@@ -26,10 +26,17 @@ struct RowArguments {
   std::vector<std::string> select;              ///< empty: all columns
   std::string area;                             ///< name of the column; empty: none
   std::string perimeter;
+  std::string colour;  ///< the column by which a picture is coloured; empty: what is usual of the command
+};
+
+/// What a picture of rows shows.
+struct RowPicture {
+  std::string operation;  ///< for the title
+  std::string colour;     ///< the column by which it is coloured, if none is given; empty: by none
 };
 
 enum class Select { columns, none };
-/// Adds --where, --area and --perimeter, and --select to a command that keeps columns.
+/// Adds --where, --area, --perimeter and --colour, and --select to a command that keeps columns.
 void add_row_options(CLI::App& command, RowArguments& arguments, Select select);
 
 /// The columns of a result, and the indices that join them.
@@ -62,11 +69,12 @@ class RowJob {
   /// Calls `run` with the options; errors get the names of file and feature.
   void compute(const std::function<void(const Options&)>& run);
 
-  /// Writes the rows, draws if a picture is wanted (of the `operation`), and prints notes and the summary. Returns an
-  /// exit code.
-  int finish(const FeatureView& rows, ResultColumns columns, const std::string& operation = {});
+  /// Writes the rows, draws if a picture is wanted, and prints notes and the summary. Returns an exit code.
+  int finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture);
 
  private:
+  void check_colour(const ResultColumns& columns) const;
+  void draw_rows(const FeatureView& rows, const ResultColumns& columns, const RowPicture& picture);
   void add_measures(const FeatureView& rows, ResultColumns& columns);
   void print_notes() const;
   void print_summary(const FeatureView& rows, std::size_t columns);

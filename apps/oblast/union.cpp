@@ -61,7 +61,7 @@ int run_with_sources(const Arguments& arguments, bool json) {
   }
   ResultColumns columns;
   columns.add(arguments.source, io::ColumnType::text, std::move(sources));
-  return job.finish(result.rows, std::move(columns), "union");
+  return job.finish(result.rows, std::move(columns), {"union", {}});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace oblast::io {
@@ -38,7 +39,8 @@ std::string shortened(const std::string& text) {
 std::vector<PictureClass> classes_by_number(const FeatureView& rows, std::span<const double> numbers) {
   std::vector<double> sorted;  // a number for each polygon: rows of many polygons count as much as these
   for (std::size_t row = 0; row < numbers.size(); ++row)
-    sorted.insert(sorted.end(), rows.feature_end(row) - rows.feature_begin(row), numbers[row]);
+    if (!std::isnan(numbers[row]))
+      sorted.insert(sorted.end(), rows.feature_end(row) - rows.feature_begin(row), numbers[row]);
   if (sorted.empty()) return {};
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> different = sorted;
@@ -57,7 +59,7 @@ std::vector<PictureClass> classes_by_number(const FeatureView& rows, std::span<c
     classes[i].label = least == most[i] ? fmt::format("{}", least) : fmt::format("{} to {}", least, most[i]);
   }
   for (std::size_t row = 0; row < numbers.size(); ++row) {
-    if (rows.feature_begin(row) == rows.feature_end(row)) continue;
+    if (rows.feature_begin(row) == rows.feature_end(row) || std::isnan(numbers[row])) continue;
     const auto i = std::lower_bound(most.begin(), most.end(), numbers[row]) - most.begin();
     append_row(rows, row, classes[static_cast<std::size_t>(i)].regions);
   }

@@ -12,7 +12,7 @@
 namespace oblast::io {
 
 /// The classes of a picture by a number for each row: at most seven, of about equally many polygons, from light to
-/// dark (the palette `inferno`). REQUIRES: one number for each row.
+/// dark (the palette `inferno`). Rows with a NaN are left out. REQUIRES: one number for each row.
 std::vector<PictureClass> classes_by_number(const FeatureView& rows, std::span<const double> numbers);
 
 /// The classes of a picture by a text for each row: the seven most frequent texts (the palette of Okabe and Ito), and
