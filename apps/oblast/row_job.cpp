@@ -68,6 +68,8 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
       json_(json),
       progress_(!arguments.quiet) {
   check_call(paths_of(inputs_), arguments_, json);
+  if (!row_arguments_.colour.empty() && arguments_.picture.empty())
+    throw CallError("--colour is for pictures; add --svg PICTURE.svg");
   const char* const instead = inputs_.size() > 1 ? "add --merge" : "leave out --source";
   check_fill(arguments_.fill, "--fill", instead);
   if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b", instead);
@@ -135,7 +137,6 @@ void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
 
 void RowJob::check_colour(const ResultColumns& columns) const {
   if (row_arguments_.colour.empty()) return;
-  if (arguments_.picture.empty()) throw CallError("--colour is for pictures; add --svg PICTURE.svg");
   if (find_column(columns.columns, row_arguments_.colour)) return;
   std::string names;
   for (const io::OutputColumn& column : columns.columns) names += (names.empty() ? "" : ", ") + column.column.name;

@@ -50,11 +50,24 @@ TEST_F(OverlayRows, HaveTheColumnsOfBothLayers) {
   EXPECT_EQ(rows("symdifference"), (Lines{only_west, only_east, only_far}));
 }
 
-TEST_F(OverlayRows, OfADifferenceHaveNullsInTheColumnsOfB) {
+TEST_F(OverlayRows, OfADifferenceHaveTheColumnsOfA) {
   const Lines found = rows("difference");
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_TRUE(contains(found[0], "name_1=west n=1")) << found[0];
+  EXPECT_TRUE(contains(found[0], "name=west n=1")) << found[0];
+  EXPECT_FALSE(contains(found[0], "code")) << found[0];
   EXPECT_TRUE(contains(found[0], "area=2")) << found[0];
+}
+
+TEST_F(OverlayRows, APictureIsColouredByAColumn) {
+  const std::string picture = folder_.path("rows.svg");
+  ASSERT_EQ(run("union", {"--svg", picture, "--colour", "n"}).code, 0);
+  EXPECT_TRUE(contains(read_file(picture), ">1</text>") && contains(read_file(picture), ">2</text>")) << "the legend";
+  const ProgramRun unknown = run("union", {"--svg", picture, "--overwrite", "--colour", "m"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_TRUE(contains(unknown.err, "no column m; choose from")) << unknown.err;
+  const ProgramRun nothing_to_draw = run("union", {"--colour", "n"});
+  EXPECT_EQ(nothing_to_draw.code, 2);
+  EXPECT_TRUE(contains(nothing_to_draw.err, "add --svg")) << nothing_to_draw.err;
 }
 
 TEST_F(OverlayRows, ConditionsChooseFeatures) {
