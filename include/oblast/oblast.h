@@ -1,5 +1,5 @@
-// Includes overlays, triangulation, point-in-region queries, WKT and WKB. The papers' other algorithms have headers of
-// their own: classics.h, hull.h, layers.h. The C interface is c.h.
+// Includes overlays, layers with rows, checks of results, triangulation, point-in-region queries, WKT and WKB. The
+// papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C interface is c.h.
 #pragma once
 
 #include <oblast/check.h>

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "base/large_pages.h"
-#include "features/source_sets.h"
+#include "noding/source_sets.h"
 #include "graph/chain_graph.h"
 
 namespace oblast::internal {

@@ -1,21 +1,10 @@
 #include "noding/source_changes.h"
 
-#include <algorithm>
+#include <cstdlib>
 
 #include "base/index.h"
 
 namespace oblast::internal::noding {
-namespace {
-
-std::uint64_t hash(std::span<const SourceChanges::Item> list) {
-  std::uint64_t h = list.size();
-  for (const SourceChanges::Item& item : list)
-    h = (h ^ item.source ^ static_cast<std::uint64_t>(static_cast<std::uint32_t>(item.count)) << 32) *
-        0x9e3779b97f4a7c15ULL;
-  return h ^ h >> 29;
-}
-
-}  // namespace
 
 SourceChanges::SourceChanges(std::size_t source_count)
     : source_count_(checked_index(source_count, "rows in one operand", most_chains)) {}
@@ -33,52 +22,26 @@ std::int32_t SourceChanges::add(std::int32_t p, std::int32_t q) {
   return last_sum_;
 }
 
+SourceSets::Set SourceChanges::set_of(std::uint32_t number) {
+  return number <= source_count_ ? sets_.changed(SourceSets::empty, number - 1, 1) : number - source_count_;
+}
+
 std::int32_t SourceChanges::sum_of(std::int32_t p, std::int32_t q) {
-  sum_.clear();
-  const auto put = [&](std::uint32_t source, std::int32_t count) { sum_.push_back({source, count}); };
-  for_each(p, put);
-  for_each(q, put);
-  std::sort(sum_.begin(), sum_.end(), [](const Item& x, const Item& y) { return x.source < y.source; });
-  std::size_t kept = 0;
-  for (const Item& item : sum_) {
-    if (kept > 0 && sum_[kept - 1].source == item.source)
-      sum_[kept - 1].count += item.count;
-    else
-      sum_[kept++] = item;
-    if (sum_[kept - 1].count == 0) --kept;
+  const SourceSets::Set of_p = set_of(static_cast<std::uint32_t>(std::abs(p)));
+  const SourceSets::Set of_q = set_of(static_cast<std::uint32_t>(std::abs(q)));
+  // Turned as p is.
+  const SourceSets::Set sum = (p < 0) == (q < 0) ? sets_.sum(of_p, of_q) : sets_.difference(of_p, of_q);
+  if (sum == SourceSets::empty) return 0;
+  std::int32_t handle = 0;
+  if (sets_.size(sum) == 1)
+    sets_.for_each_count(sum, [&](std::uint32_t source, std::int32_t count) {
+      if (std::abs(count) == 1) handle = count * static_cast<std::int32_t>(source + 1);
+    });
+  if (handle == 0) {
+    check_count(std::size_t{sum} + source_count_, "rows, and sets of rows that share an edge", 0x7fffffff);
+    handle = static_cast<std::int32_t>(sum + source_count_);
   }
-  sum_.resize(kept);
-  if (sum_.empty()) return 0;
-  // Of a list and its opposite, the one in the table begins with a positive count.
-  const std::int32_t sign = sum_[0].count < 0 ? -1 : 1;
-  for (Item& item : sum_) item.count *= sign;
-  return sign * handle_of(sum_);
-}
-
-std::int32_t SourceChanges::handle_of(std::span<const Item> list) {
-  if (list.size() == 1 && list[0].count == 1) return static_cast<std::int32_t>(list[0].source + 1);
-  if (2 * (ends_.size() + 1) > slots_.size()) grow();
-  std::uint64_t slot = hash(list);
-  for (;; ++slot) {
-    const std::uint32_t i = slots_[slot & (slots_.size() - 1)];
-    if (i == none) break;
-    if (std::ranges::equal(this->list(i), list)) return static_cast<std::int32_t>(source_count_ + 1 + i);
-  }
-  const std::uint32_t i =
-      checked_index(ends_.size(), "combinations of rows that share an edge", most_chains - source_count_);
-  items_.insert(items_.end(), list.begin(), list.end());
-  ends_.push_back(checked_index(items_.size(), "rows that share edges"));
-  slots_[slot & (slots_.size() - 1)] = i;
-  return static_cast<std::int32_t>(source_count_ + 1 + i);
-}
-
-void SourceChanges::grow() {
-  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), none);
-  for (std::uint32_t i = 0; i < ends_.size(); ++i) {
-    std::uint64_t slot = hash(list(i));
-    while (slots_[slot & (slots_.size() - 1)] != none) ++slot;
-    slots_[slot & (slots_.size() - 1)] = i;
-  }
+  return p < 0 ? -handle : handle;
 }
 
 }  // namespace oblast::internal::noding

@@ -1,4 +1,4 @@
-#include "features/source_sets.h"
+#include "noding/source_sets.h"
 
 #include <algorithm>
 #include <bit>
@@ -41,6 +41,35 @@ SourceSets::Set SourceSets::members(Set set) {
   return members_[set] = found;
 }
 
+SourceSets::Set SourceSets::combined(Set p, Set q, std::int32_t sign) {
+  if (q == empty) return p;
+  if (p == empty) return sign > 0 ? q : negated(q);
+  const Node of_p = nodes_[p], of_q = nodes_[q];
+  if (of_q.is_leaf()) return changed(p, of_q.prefix, sign * of_q.count());
+  if (of_p.is_leaf()) return changed(sign > 0 ? q : negated(q), of_p.prefix, of_p.count());
+  if (of_p.prefix == of_q.prefix)
+    return branch(of_p.prefix, combined(of_p.left, of_q.left, sign), combined(of_p.right, of_q.right, sign));
+  if (of_p.bit() > of_q.bit() && of_p.covers(of_q.prefix)) {
+    if (of_p.is_left(of_q.prefix)) return branch(of_p.prefix, combined(of_p.left, q, sign), of_p.right);
+    return branch(of_p.prefix, of_p.left, combined(of_p.right, q, sign));
+  }
+  if (of_q.bit() > of_p.bit() && of_q.covers(of_p.prefix)) {
+    const bool left = of_q.is_left(of_p.prefix);
+    const Set beside = left ? of_q.right : of_q.left, within = combined(p, left ? of_q.left : of_q.right, sign);
+    const Set other = sign > 0 ? beside : negated(beside);
+    return left ? branch(of_q.prefix, within, other) : branch(of_q.prefix, other, within);
+  }
+  return fork(of_p.prefix, p, of_q.prefix, sign > 0 ? q : negated(q));
+}
+
+SourceSets::Set SourceSets::negated(Set set) {
+  if (set == empty) return empty;
+  const Node node = nodes_[set];
+  if (node.is_leaf()) return leaf(node.prefix, -node.count());
+  const Set left = negated(node.left), right = negated(node.right);
+  return branch(node.prefix, left, right);
+}
+
 bool SourceSets::contains(Set set, std::uint32_t source) const {
   while (set != empty) {
     const Node& node = nodes_[set];
@@ -63,11 +92,11 @@ SourceSets::Set SourceSets::branch(std::uint32_t prefix, Set left, Set right) {
   return keep({prefix, left, right, l.size + r.size, l.is_plain && r.is_plain});
 }
 
-SourceSets::Set SourceSets::fork(std::uint32_t source_of_p, Set p, std::uint32_t source_of_q, Set q) {
+SourceSets::Set SourceSets::fork(std::uint32_t prefix_of_p, Set p, std::uint32_t prefix_of_q, Set q) {
   if (p == empty) return q;
-  const std::uint32_t bit = std::bit_floor(source_of_p ^ source_of_q);
-  const std::uint32_t prefix = (source_of_p & ~(2 * bit - 1)) | bit;
-  return (source_of_p & bit) == 0 ? branch(prefix, p, q) : branch(prefix, q, p);
+  const std::uint32_t bit = std::bit_floor(prefix_of_p ^ prefix_of_q);
+  const std::uint32_t prefix = (prefix_of_p & ~(2 * bit - 1)) | bit;
+  return (prefix_of_p & bit) == 0 ? branch(prefix, p, q) : branch(prefix, q, p);
 }
 
 SourceSets::Set SourceSets::keep(const Node& node) {
@@ -79,7 +108,7 @@ SourceSets::Set SourceSets::keep(const Node& node) {
     const Node& other = nodes_[i];
     if (other.prefix == node.prefix && other.left == node.left && other.right == node.right) return i;
   }
-  const std::uint32_t i = checked_index(nodes_.size(), "sets of rows that cover a place");
+  const std::uint32_t i = checked_index(nodes_.size(), "sets of rows");
   nodes_.push_back(node);
   slots_[slot & (slots_.size() - 1)] = i;
   return i;

@@ -28,6 +28,11 @@ class SourceSets {
   /// The set in which the source counts `by` more; one that counts 0 is not in it. Cost: O(32).
   Set changed(Set set, std::uint32_t source, std::int32_t by);
 
+  /// The counts of p and q added; or those of q taken away. Counts may become negative. Cost: O(32) for each source of
+  /// q.
+  Set sum(Set p, Set q) { return combined(p, q, 1); }
+  Set difference(Set p, Set q) { return combined(p, q, -1); }
+
   /// The members, each counting once. Cost: linear in the branches that were not asked about before.
   Set members(Set set);
 
@@ -43,6 +48,16 @@ class SourceSets {
     if (node.is_leaf()) return visit(node.prefix);
     for_each(node.left, visit);
     for_each(node.right, visit);
+  }
+
+  /// Calls visit(source, count) for each source, in order.
+  template <class Visit>
+  void for_each_count(Set set, const Visit& visit) const {
+    if (set == empty) return;
+    const Node& node = nodes_[set];
+    if (node.is_leaf()) return visit(node.prefix, node.count());
+    for_each_count(node.left, visit);
+    for_each_count(node.right, visit);
   }
 
   /// Calls visit(source) for each source that is in p and not in q, in order. Where p and q share branches these cost
@@ -95,10 +110,12 @@ class SourceSets {
     bool is_left(std::uint32_t source) const { return (source & bit()) == 0; }
   };
 
+  Set combined(Set p, Set q, std::int32_t sign);
+  Set negated(Set set);
   Set leaf(std::uint32_t source, std::int32_t count);
   Set branch(std::uint32_t prefix, Set left, Set right);
-  /// A branch over two sets; `p` has a source that the other one's prefix does not cover.
-  Set fork(std::uint32_t source_of_p, Set p, std::uint32_t source_of_q, Set q);
+  /// A branch over two sets of which neither covers the other one's prefix.
+  Set fork(std::uint32_t prefix_of_p, Set p, std::uint32_t prefix_of_q, Set q);
   Set keep(const Node& node);
   void grow();
 
