@@ -53,8 +53,9 @@ std::vector<Operation> operations(const Layers& layers, std::uint64_t seed) {
       {"union", FeatureOperation::unite},
       {"difference", FeatureOperation::difference},
       {"symmetric difference", FeatureOperation::symmetric_difference}};
-  for (const auto& [name, operation] : overlays) {
-    all.push_back({name,
+  for (const auto& overlay : overlays) {
+    const FeatureOperation operation = overlay.second;
+    all.push_back({overlay.first,
                    [=](const Layer& a, const Layer& b, const Options& options) {
                      return NamedRows{overlay_features(a, b, operation, options), {}};
                    },
