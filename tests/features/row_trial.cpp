@@ -39,6 +39,7 @@ std::vector<std::uint32_t> groups_of(const Layer& layer, std::uint64_t seed) {
 std::vector<std::uint32_t> present_groups(const std::vector<std::uint32_t>& features,
                                           const std::vector<std::uint32_t>& groups) {
   std::vector<std::uint32_t> found;
+  found.reserve(features.size());
   for (const std::uint32_t f : features) found.push_back(groups[f]);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
