@@ -26,6 +26,7 @@ struct Rows {
 
 std::vector<std::string> labels(const std::vector<PictureClass>& classes) {
   std::vector<std::string> found;
+  found.reserve(classes.size());
   for (const PictureClass& c : classes) found.push_back(c.label);
   return found;
 }
@@ -43,6 +44,7 @@ TEST(RowColours, ManyNumbersShareClassesOfAboutEquallyManyPolygons) {
   sizes[0] = 600;
   const Rows rows(sizes);
   std::vector<double> numbers;
+  numbers.reserve(100);
   for (int i = 0; i < 100; ++i) numbers.push_back(i);
   const auto classes = classes_by_number(rows, numbers);
   EXPECT_EQ(classes.front().label, "0");
