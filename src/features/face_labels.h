@@ -10,8 +10,8 @@
 #include <cstdint>
 
 #include "base/large_pages.h"
-#include "noding/source_sets.h"
 #include "graph/chain_graph.h"
+#include "noding/source_sets.h"
 
 namespace oblast::internal {
 
