@@ -13,10 +13,7 @@ namespace {
 // Edges that meet badly at the newer one's left end compare as equal, so that inserting finds them.
 struct Below {
   bool operator()(const PlainEdge* e, const PlainEdge* f) const {
-    if (e == f) return false;
-    if (e->left == f->left) return side_of_line(e->left, e->right, f->right) > 0;
-    if (lexicographically_less(e->left, f->left)) return side_of_line(e->left, e->right, f->left) > 0;
-    return side_of_line(f->left, f->right, e->left) < 0;
+    return e != f && stands_below(e->left, e->right, f->left, f->right);
   }
 };
 

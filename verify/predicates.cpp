@@ -74,6 +74,12 @@ bool same_direction(const Point& u, const Point& a, const Point& b) {
   return sign(a.x - u.x) == sign(b.x - u.x) && sign(a.y - u.y) == sign(b.y - u.y);
 }
 
+bool stands_below(const Point& e_left, const Point& e_right, const Point& f_left, const Point& f_right) {
+  if (e_left == f_left) return side_of_line(e_left, e_right, f_right) > 0;
+  if (lexicographically_less(e_left, f_left)) return side_of_line(e_left, e_right, f_left) > 0;
+  return side_of_line(f_left, f_right, e_left) < 0;
+}
+
 bool angle_less(const Point& u, const Point& a, const Point& b) {
   // Lower half: (-pi, 0), upper half: [0, pi].
   const auto upper = [&](const Point& p) { return p.y >= u.y; };

@@ -13,6 +13,11 @@ int side_of_line(const Point& a, const Point& b, const Point& c);
 /// or if they share more than one point. Exact.
 bool meet_badly(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// The order of edges along a sweep line, from below to above: whether edge e stands below edge f where both begin to
+/// exist. False both ways if the newer one's left end lies on the other, or they leave one left end in the same
+/// direction. Exact. REQUIRES: the left ends are lexicographically smaller than the right ends.
+bool stands_below(const Point& e_left, const Point& e_right, const Point& f_left, const Point& f_right);
+
 /// True if the directions u -> a and u -> b are the same (parallel and not opposite). Exact.
 /// REQUIRES: a != u, b != u.
 bool same_direction(const Point& u, const Point& a, const Point& b);

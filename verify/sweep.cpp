@@ -39,10 +39,7 @@ struct Below {
 
   bool operator()(std::uint32_t e, std::uint32_t f) const {
     if (e == f) return false;
-    const Point &e_left = edges->left_end(e), &f_left = edges->left_end(f);
-    if (e_left == f_left) return side_of_line(e_left, edges->right_end(e), edges->right_end(f)) > 0;
-    if (lexicographically_less(e_left, f_left)) return side_of_line(e_left, edges->right_end(e), f_left) > 0;
-    return side_of_line(f_left, edges->right_end(f), e_left) < 0;
+    return stands_below(edges->left_end(e), edges->right_end(e), edges->left_end(f), edges->right_end(f));
   }
 };
 

@@ -16,8 +16,6 @@ using Words = std::vector<std::string>;
 constexpr const char* two_squares = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((1 1, 3 1, 3 3, 1 3, 1 1)))\n";
 constexpr const char* their_union = "POLYGON ((0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2, 0 2, 0 0))";
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"},
                                Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {

@@ -6,8 +6,6 @@
 namespace oblast::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 class Covers : public ::testing::Test {
  protected:
   Covers() {

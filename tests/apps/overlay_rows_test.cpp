@@ -8,8 +8,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 class OverlayRows : public ::testing::Test {
  protected:
   OverlayRows() {

@@ -43,6 +43,8 @@ ProgramRun program_interrupted_at_work(const std::vector<std::string>& arguments
 /// Sends SIGINT this long after the start of the program.
 ProgramRun program_interrupted_after(std::chrono::microseconds delay, const std::vector<std::string>& arguments);
 
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);
 

@@ -8,8 +8,6 @@
 namespace oblast::test {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 // Two features of all types, with an island in a hole, and nulls.
 class RowFormats : public ::testing::TestWithParam<const char*> {
  protected:
