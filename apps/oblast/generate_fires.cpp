@@ -107,7 +107,7 @@ void write_passes(const std::vector<FirePass>& passes, const fs::path& folder, P
   std::atomic<std::size_t> done = 0;
   std::mutex mutex;
   tbb::parallel_for(std::size_t{0}, passes.size(), [&](std::size_t k) {
-    if (interrupted()) throw Interrupted();
+    stop_before_more_output();
     io::write((folder / (passes[k].name + ".shp")).string(), passes[k].contours, options);
     const std::size_t count = ++done;
     if (const std::unique_lock lock(mutex, std::try_to_lock); lock) {

@@ -1,5 +1,5 @@
-// The signal handler. It uses only functions that are safe in a signal handler: lock-free atomics, write, _exit and
-// io::discard_unfinished.
+// The signal handler. It uses only functions that are safe in a signal handler: lock-free atomics, write, _exit, and
+// two functions of io/write.h that promise it.
 #include "oblast/interrupt.h"
 
 #include <unistd.h>
@@ -20,7 +20,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void oblast_on_signal(int) {
   if (flag_is_watched && !flag.exchange(true)) return;
-  if (io::commit_under_way()) {
+  if (!io::stop_outputs()) {  // the result is complete, or will be in a moment
     flag = true;
     return;
   }
@@ -47,6 +47,12 @@ void install_interrupt_handler() {
 }
 
 bool interrupted() { return flag; }
+
+// In this order: a signal between the two lines ends the program.
+void stop_before_more_output() {
+  io::expect_more_output();
+  if (flag) throw Interrupted();
+}
 
 InterruptFlag::InterruptFlag() { flag_is_watched = true; }
 InterruptFlag::~InterruptFlag() { flag_is_watched = false; }

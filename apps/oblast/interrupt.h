@@ -1,8 +1,10 @@
 // Ctrl-C and other signals that end the program: old output stays, temporary files are removed, the exit code is 130.
 //
 // While an overlay runs, the first signal only sets a flag. The overlay tests the flag and ends with Error(cancelled).
-// At any other time, and at a second signal, the handler removes unfinished files and ends the program at once. The
-// exception is the time in which finished files are renamed: then a signal only sets the flag.
+// At any other time, and at a second signal, the handler removes unfinished files and ends the program at once.
+//
+// From the moment in which a finished file replaces an older one, a signal only sets the flag. If no more output is to
+// follow, the program ends with exit code 0: the new output is there, and whole.
 #pragma once
 
 #include <exception>
@@ -19,6 +21,9 @@ void install_interrupt_handler();
 
 /// True after a signal that set the flag.
 bool interrupted();
+
+/// Call this between two outputs. Throws Interrupted if a signal came after the first was complete.
+void stop_before_more_output();
 
 /// While an object of this class exists, a first signal sets the flag and does not end the program.
 class InterruptFlag {

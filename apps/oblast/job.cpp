@@ -183,7 +183,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   summary.seconds_write = writing.seconds();
 
   if (!arguments.picture.empty()) {
-    if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
+    stop_before_more_output();
     progress.show("drawing", 0);
     const Stopwatch drawing;
     JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union", {}};

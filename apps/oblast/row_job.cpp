@@ -163,7 +163,7 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPict
   io::write_rows(arguments_.output, rows, columns.columns, write_options(arguments_, crs_wkt_), notes_);
   summary_.seconds_write = writing.seconds();
   if (!arguments_.picture.empty()) {
-    if (interrupted()) throw Interrupted();  // a signal may have come while the result was renamed
+    stop_before_more_output();
     progress_.show("drawing", 0);
     const Stopwatch drawing;
     draw_rows(rows, columns, picture);

@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -39,8 +40,14 @@ namespace {
 std::array<std::atomic<UnfinishedOutput*>, 64> unfinished_outputs;
 
 std::atomic<UnfinishedOutput*> abandoned = nullptr;
-std::atomic<int> commits = 0;  // under way
-static_assert(std::atomic<int>::is_always_lock_free);
+
+// Whether the outputs may still be discarded. One atomic, so that a signal on one thread and a commit on another
+// exclude each other: the first to change it wins.
+constexpr std::uint32_t stopped = 1;     // by stop_outputs()
+constexpr std::uint32_t committed = 2;   // a commit has begun, and expect_more_output() was not called since
+constexpr std::uint32_t one_commit = 4;  // times the number of commits under way
+std::atomic<std::uint32_t> commits = 0;
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
 void remember(UnfinishedOutput* output) {
   for (auto& slot : unfinished_outputs) {
@@ -83,10 +90,15 @@ std::string part_of(const std::string& path, const std::string& part) {
 }
 
 struct Commit {
-  Commit() { ++commits; }
+  Commit() {
+    std::uint32_t before = commits;
+    while (!commits.compare_exchange_weak(before, (before + one_commit) | committed)) {
+    }
+    while (before & stopped) ::pause();  // another thread discards the outputs and ends the program
+  }
   Commit(const Commit&) = delete;
   Commit& operator=(const Commit&) = delete;
-  ~Commit() { --commits; }
+  ~Commit() { commits -= one_commit; }
 };
 
 void force_to_disk(const std::string& path) {
@@ -181,7 +193,15 @@ void StagedOutput::commit() {
   for (const fs::path& file : removals) fs::remove(file, error);
 }
 
-bool commit_under_way() { return commits > 0; }
+void expect_more_output() { commits &= ~committed; }
+
+bool stop_outputs() {
+  std::uint32_t before = commits;
+  do {
+    if (before >= committed) return false;
+  } while (!commits.compare_exchange_weak(before, before | stopped));
+  return true;
+}
 
 void discard_unfinished() {
   for (auto& slot : unfinished_outputs) {

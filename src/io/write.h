@@ -37,11 +37,13 @@ std::string target_of(const std::string& path);
 void write_staged(const std::string& target, Existing existing,
                   const std::function<void(const std::string& path)>& write_to);
 
-/// Removes temporary files of writes under way. Safe to call in a signal handler.
+/// Call this first when a signal is to end the program. True: no output replaces an older one any more. False: one does
+/// so now or has done so, and the program must go on to its end or to expect_more_output(). Safe in a signal handler.
+bool stop_outputs();
+/// Removes the temporary files of the outputs that are being written. Safe in a signal handler.
 void discard_unfinished();
-/// True while finished files replace older ones. Ending the program now would leave some old and some new files. Safe
-/// to call in a signal handler.
-bool commit_under_way();
+/// Call this when an output is complete and another will follow: stop_outputs() may succeed again.
+void expect_more_output();
 
 /// One line of WKT: MULTIPOLYGON (or POLYGON EMPTY), shortest digits that read back to the same bits.
 std::string to_wkt(const RegionView& regions);

@@ -31,7 +31,8 @@ class Kept {
   }
   void expect_unchanged() const {
     EXPECT_EQ(folder_.names(), names_);
-    for (std::size_t i = 0; i < names_.size(); ++i) EXPECT_EQ(read_file(folder_ / names_[i]), contents_[i]);
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      EXPECT_TRUE(read_file(folder_ / names_[i]) == contents_[i]) << names_[i] << " has changed";
   }
 
  private:

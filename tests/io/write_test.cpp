@@ -1,7 +1,10 @@
 // A file is written completely or not at all: what is refused before, and what remains after a failure.
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "io/staged_output.h"
 #include "io_support.h"
@@ -145,6 +148,30 @@ TEST_F(WriteCall, InterruptionRemovesWhatIsUnderWay) {
   EXPECT_EQ(contents("out.shp"), "old");
   discard_unfinished();  // nothing is under way: nothing happens
   EXPECT_EQ(contents("out.shp"), "old");
+}
+
+TEST_F(WriteCall, AfterACommitOutputsAreStoppedOnlyIfMoreFollow) {
+  write(path("out.wkt"), one_triangle());
+  EXPECT_FALSE(stop_outputs());
+  expect_more_output();
+  // In a child: stop_outputs() is the beginning of the end.
+  EXPECT_EXIT(std::_Exit(stop_outputs() ? 0 : 1), ::testing::ExitedWithCode(0), "");
+}
+
+TEST_F(WriteCall, AStoppedOutputNeverReplacesTheOldOne) {
+  file("out.wkt", "old");
+  const auto write_after_stop = [&] {
+    std::thread other([&] { write(path("out.wkt"), one_triangle(), overwrite); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the other thread waits before its commit
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(
+      {
+        if (!stop_outputs()) std::_Exit(1);
+        write_after_stop();
+      },
+      ::testing::ExitedWithCode(0), "");
+  EXPECT_EQ(contents("out.wkt"), "old");
 }
 
 TEST_F(WriteCall, StandardOutputGetsWkt) {
