@@ -127,11 +127,12 @@ nlohmann::ordered_json FaultReport::to_json(const std::string& file, bool covera
                                 {"rings", regions.contour_count()},
                                 {"vertices", regions.points.size()}};
   const std::vector<Counts> counts = count();
-  auto &kinds = object["faults_by_kind"] = nlohmann::ordered_json::object(),
-       &notes = object["notes_by_kind"] = nlohmann::ordered_json::object();
+  auto kinds = nlohmann::ordered_json::object(), notes = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < feature_fault_kinds; ++i)
     if (counts[i].faults > 0) (is_note(kind_at(i)) ? notes : kinds)[name(kind_at(i))] = counts[i].faults;
-  auto& list = object["faults"] = nlohmann::ordered_json::array();
+  object["faults_by_kind"] = std::move(kinds);
+  object["notes_by_kind"] = std::move(notes);
+  auto list = nlohmann::ordered_json::array();
   for (const FeatureFault& fault : faults_) {
     nlohmann::ordered_json item{{"kind", name(fault.kind)},
                                 {"note", is_note(fault.kind)},
@@ -141,6 +142,7 @@ nlohmann::ordered_json FaultReport::to_json(const std::string& file, bool covera
     if (fault.kind == FeatureFaultKind::overlap || fault.kind == FeatureFaultKind::gap) item["area"] = fault.area;
     list.push_back(std::move(item));
   }
+  object["faults"] = std::move(list);
   return object;
 }
 

@@ -68,7 +68,7 @@ struct FeatureFault {
   FeaturePlace place;
   FeaturePlace other;  ///< the second vertex, edge, ring or feature; all `none` if there is none
   Point point;         ///< where; of a crossing it is the nearest double
-  double area = 0;     ///< of an overlap or within the border of a gap, in squared units; 0 for all others
+  double area = 0;     ///< of an overlap or a gap, in squared units; 0 for all others
 
   friend bool operator==(const FeatureFault&, const FeatureFault&) = default;
 };

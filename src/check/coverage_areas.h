@@ -15,8 +15,8 @@ namespace oblast::internal::checking {
 void add_overlaps(const FeatureView& features, const LayerEdges& edges, const LayerContacts& contacts,
                   std::vector<FeatureFault>& faults);
 
-/// Adds a fault for each hole of the union whose border is made of edges of more than one feature. REQUIRES: edges are
-/// sorted. Cost: that of `unite`.
+/// Adds a fault for each bounded area that no feature covers, and whose outer border is made of edges of more than one
+/// feature. REQUIRES: edges are sorted. Cost: that of `overlay`.
 void add_gaps(const FeatureView& features, const LayerEdges& edges, const LayerContacts& contacts,
               std::vector<FeatureFault>& faults);
 

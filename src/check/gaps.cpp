@@ -1,3 +1,4 @@
+#include <oblast/domain.h>
 #include <oblast/measure.h>
 #include <oblast/overlay.h>
 
@@ -64,22 +65,37 @@ FeatureFault fault_of(const LayerEdges& edges, const LayerContacts& contacts, st
   return fault;
 }
 
+/// A box well around all points.
+RegionSet frame_around(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double side = std::min(4 * largest, domain_largest);
+  return {{{-side, -side}, {side, -side}, {side, side}, {-side, side}}, {4}, {1}};
+}
+
+/// Whether an area that nobody covers is the one around everything.
+bool is_outside(std::span<const Point> contour, const RegionSet& frame) {
+  const double side = frame.points[2].x;
+  return std::any_of(contour.begin(), contour.end(),
+                     [&](const Point& p) { return std::abs(p.x) == side || std::abs(p.y) == side; });
+}
+
 }  // namespace
 
 void add_gaps(const FeatureView& features, const LayerEdges& edges, const LayerContacts& contacts,
               std::vector<FeatureFault>& faults) {
-  const RegionSet covered = unite(features.regions);
-  const RegionView regions = covered;
+  if (edges.strands().size() == 0) return;
+  const RegionSet frame = frame_around(features.regions.points);
+  const RegionSet uncovered = overlay(frame, features.regions, Operation::difference);
+  const RegionView regions = uncovered;
   Steps steps(regions.polygon_count());
   for (std::size_t p = 0; p < regions.polygon_count(); ++p) {
     steps();
-    for (std::uint32_t c = regions.polygon_begin(p) + 1; c < regions.polygon_end(p); ++c) {
-      const std::span<const Point> contour = regions.contour(c);
-      if (is_of_one_feature(edges, contour)) continue;
-      FeatureFault fault = fault_of(edges, contacts, contour);
-      fault.area = std::abs(area(regions.contours_between(c, c + 1)));
-      faults.push_back(fault);
-    }
+    const std::span<const Point> contour = regions.contour(regions.polygon_begin(p));
+    if (is_outside(contour, frame) || is_of_one_feature(edges, contour)) continue;
+    FeatureFault fault = fault_of(edges, contacts, contour);
+    fault.area = area(regions.polygon(p));
+    faults.push_back(fault);
   }
 }
 
