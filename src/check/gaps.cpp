@@ -39,9 +39,8 @@ bool is_of_one_feature(const LayerEdges& edges, std::span<const Point> contour) 
   return result;
 }
 
-/// The first vertex at which two features meet; else the first of one feature.
+/// At the first vertex at which two features meet; without another feature if there is no such vertex.
 FeatureFault fault_of(const LayerEdges& edges, const LayerContacts& contacts, std::span<const Point> contour) {
-  FeatureFault fault{FeatureFaultKind::gap, {}, {}, contour[0]};
   for (const Point& p : contour) {
     FeaturePlace first, second;
     const auto add = [&](std::uint32_t index) {
@@ -59,10 +58,8 @@ FeatureFault fault_of(const LayerEdges& edges, const LayerContacts& contacts, st
       for (; c != contacts.on_edges.end() && c->vertex == i; ++c) add(c->edge);
     }
     if (second.feature != FeaturePlace::none) return {FeatureFaultKind::gap, first, second, p};
-    if (fault.place.feature == FeaturePlace::none && first.feature != FeaturePlace::none)
-      fault.place = first, fault.point = p;
   }
-  return fault;
+  return {FeatureFaultKind::gap, {}, {}, contour[0]};
 }
 
 /// A box well around all points.
@@ -94,6 +91,7 @@ void add_gaps(const FeatureView& features, const LayerEdges& edges, const LayerC
     const std::span<const Point> contour = regions.contour(regions.polygon_begin(p));
     if (is_outside(contour, frame) || is_of_one_feature(edges, contour)) continue;
     FeatureFault fault = fault_of(edges, contacts, contour);
+    if (fault.other.feature == FeaturePlace::none) continue;  // of one feature whose rings cross
     fault.area = area(regions.polygon(p));
     faults.push_back(fault);
   }

@@ -28,7 +28,10 @@ void set_field(OGRFeature& feature, int field, const PointColumn& column, std::s
   if (const auto* texts = std::get_if<std::vector<std::string>>(&column.values)) {
     feature.SetField(field, (*texts)[i].c_str());
   } else if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&column.values)) {
-    if ((*integers)[i] != no_value) feature.SetField(field, static_cast<GIntBig>((*integers)[i]));
+    if ((*integers)[i] == no_value)
+      feature.SetFieldNull(field);
+    else
+      feature.SetField(field, static_cast<GIntBig>((*integers)[i]));
   } else {
     feature.SetField(field, std::get<std::vector<double>>(column.values)[i]);
   }

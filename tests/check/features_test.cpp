@@ -126,6 +126,9 @@ TEST(CheckCoverage, kindsBetweenFeatures) {
   // The hole of one feature is no gap; filled in part, what is left is one.
   EXPECT_EQ(between("0 0, 9 0, 9 9, 0 9; 2 2, 2 6, 6 6, 6 2"), Kinds{});
   EXPECT_EQ(between("0 0, 9 0, 9 9, 0 9; 2 2, 2 6, 6 6, 6 2 | 2 2, 6 2, 6 6"), Kinds{gap});
+  // Neither are two holes of it that cross; and a gap may touch the outside in points.
+  EXPECT_EQ(between("0 0, 9 0, 9 9, 0 9; 1 1, 1 4, 4 4, 4 1; 3 3, 3 6, 6 6, 6 3 | 20 0, 24 0, 24 4"), Kinds{});
+  EXPECT_EQ(between("0 0, 4 0, 3 2, 4 4, 0 4 | 4 0, 8 0, 8 4, 4 4"), Kinds{gap});
 }
 
 TEST(CheckCoverage, areasAndPlaces) {

@@ -1,6 +1,6 @@
 """Compares the faults that `oblast check` finds with those of GEOS.
 
-    check_beside_geos.py PROGRAM [--shared FOLDER] [--markdown]
+    check_beside_geos.py PROGRAM [--shared FOLDER]
 
 Features: GEOS' `is_valid_reason` names one fault of a feature, the program all. Both must call the same features valid.
 Coverages: GEOS' `coverage_invalid_edges` marks features whose borders do not match; the program's overlaps, T-junctions and
@@ -105,7 +105,7 @@ class Comparison:
             if number in faults:
                 counts["invalid by oblast"] += 1
             if (reason != "Valid Geometry") != (number in faults):
-                self.differ(name, number, kinds, reason, self.reason_of_feature(faults[number], shape))
+                self.differ(name, number, kinds, reason, "")
 
     def compare_coverage(self, group, name, polygons, ours):
         counts = self.counts[group]
@@ -125,60 +125,43 @@ class Comparison:
         counts["not matching by oblast"] += len(own)
         by_id = dict(zip(ids, shapes))
         for number in sorted(geos ^ set(own)):
-            reason = self.reason_of_coverage(number, number in geos, own.get(number, set()), by_id, ours)
+            reason = self.reason_of_coverage(number, number in geos, own.get(number, set()), by_id)
             self.differ(name, number, " + ".join(sorted(own.get(number, {"matches"}))),
                         "invalid edges" if number in geos else "matches", reason)
 
     @staticmethod
-    def reason_of_feature(kinds, shape):
-        if kinds == {"ring not closed"} or isinstance(shape, str):
-            return "GEOS does not read this ring, or closes it"
-        if kinds == {"too few points"}:
-            return "GEOS leaves out rings of equal points"
-        return ""
-
-    @staticmethod
-    def reason_of_coverage(number, by_geos, kinds, shapes, ours):
+    def reason_of_coverage(number, by_geos, kinds, shapes):
         shape = shapes[number]
-        neighbours = [s for n, s in shapes.items() if n != number and shapely.intersects(shape, s)]
-        if not by_geos and kinds <= {"T-junction"}:
-            return "only a point touches an edge: GEOS looks at edges that run along each other or cross"
-        if not by_geos and "overlap" in kinds and any(shapely.equals_exact(shape, s, normalize=True) for s in neighbours):
-            return "GEOS takes features that are equal for one"
-        if not by_geos and "overlap" in kinds and any(
-                shapely.contains_properly(shape, s) or shapely.contains_properly(s, shape) for s in neighbours):
-            return "one lies in the other without meeting its border"
-        if by_geos and not kinds:
-            for fault in ours["faults"]:
-                if fault["kind"] in BETWEEN and number in (fault["place"]["feature"], fault["other"]["feature"]):
-                    return "listed"
-            return ""
+        if not by_geos and kinds == {"overlap"} and any(
+                shapely.contains_properly(shape, other) or shapely.contains_properly(other, shape)
+                for n, other in shapes.items() if n != number):
+            return "one feature lies in the other, and its border meets no other border: GEOS marks the inner one only"
         return ""
 
     def differ(self, *row):
         self.differences.append(row)
 
 
-def print_report(comparison, markdown):
-    bar, row = ("| ", " |") if markdown else ("", "")
-    for group in comparison.counts:
-        print(f"{bar}{group}{row}")
-        for what, count in comparison.counts[group].items():
-            print(f"    {what}: {count}")
-        print("    faults by kind: " + (", ".join(f"{k} {c}" for k, c in comparison.kinds[group].items()) or "none"))
-    print("\nFeatures: oblast | GEOS | number")
+def print_report(comparison):
+    rows = list(dict.fromkeys(what for counts in comparison.counts.values() for what in counts))
+    print("| | " + " | ".join(comparison.counts) + " |")
+    print("|---|" + "---|" * len(comparison.counts))
+    for what in rows:
+        print(f"| {what} | " + " | ".join(str(counts[what]) for counts in comparison.counts.values()) + " |")
+    for kind in sorted({kind for kinds in comparison.kinds.values() for kind in kinds}):
+        print(f"| {kind} | " + " | ".join(str(comparison.kinds[group][kind]) for group in comparison.counts) + " |")
+    print("\n| oblast: kinds of a feature's faults | GEOS: reason | features |\n|---|---|---|")
     for (ours, geos), count in sorted(comparison.pairs.items()):
         print(f"| {ours} | {geos} | {count} |")
     print(f"\nDifferences: {len(comparison.differences)}")
     for name, number, ours, geos, reason in comparison.differences:
-        print(f"| {name} | {number} | {ours} | {geos} | {reason or 'NO KNOWN REASON'} |")
+        print(f"- {name}, feature {number}: {ours}; GEOS: {geos}. {reason or 'NO KNOWN REASON'}.")
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--shared", default="../shared")
-    parser.add_argument("--markdown", action="store_true")
     arguments = parser.parse_args()
     warnings.filterwarnings("ignore")
     shared, cases = pathlib.Path(arguments.shared), pathlib.Path("tests/cases/faults")
@@ -193,7 +176,7 @@ def main():
         for group, paths in groups.items():
             for path in paths:
                 comparison.compare(group, path)
-        print_report(comparison, arguments.markdown)
+        print_report(comparison)
     sys.exit(any(not row[4] for row in comparison.differences))
 
 
