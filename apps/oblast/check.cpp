@@ -70,7 +70,8 @@ int run(Arguments arguments, bool json) {
   if (arguments.features.coverage + arguments.as_rows + regions > 1)
     throw CallError("--coverage, --rows and --regions (also --canonical and --against) are different checks; name one");
   if ((arguments.as_rows || regions) && !arguments.features.faults.empty())
-    throw CallError("--faults goes with the check of features or of a coverage; --rows and --regions stop at the first fault");
+    throw CallError(
+        "--faults goes with the check of features or of a coverage; --rows and --regions stop at the first fault");
   if (arguments.as_rows) return check_rows(arguments.features.file, arguments.regions.convention, json);
   arguments.regions.file = arguments.features.file;
   if (regions) return check_regions(arguments.regions, json);
@@ -92,9 +93,9 @@ void add_check(CLI::App& program, Invocation& invocation) {
   command->add_flag("--coverage", arguments->features.coverage,
                     "also find overlaps, gaps and vertices that do not match between features");
   CLI::Option* faults = command
-                           ->add_option("--faults", arguments->features.faults,
-                                        "write all faults as a point layer: .gpkg, .shp, .geojson, .fgb or .wkt")
-                           ->type_name("FILE");
+                            ->add_option("--faults", arguments->features.faults,
+                                         "write all faults as a point layer: .gpkg, .shp, .geojson, .fgb or .wkt")
+                            ->type_name("FILE");
   command->add_flag("--overwrite", arguments->features.overwrite, "replace an existing file of that name")
       ->needs(faults);
   command->add_flag("--regions", arguments->as_regions, "prove that the whole file is one valid region set");

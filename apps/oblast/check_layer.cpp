@@ -27,6 +27,16 @@ std::vector<std::uint32_t> features_without_roles(const io::Layer& layer) {
   return features;
 }
 
+/// Rings of shapefiles are reversed on reading, so the last vertex of the file is the second one here.
+void turn_open_rings(const io::Layer& layer, std::span<const std::uint32_t> turned, std::vector<FeatureFault>& faults) {
+  for (FeatureFault& fault : faults) {
+    if (fault.kind != FeatureFaultKind::ring_not_closed) continue;
+    if (!std::binary_search(turned.begin(), turned.end(), fault.place.feature)) continue;
+    fault.place.vertex = 1;
+    fault.point = layer.regions.view().contour(fault.place.contour)[1];
+  }
+}
+
 std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView& features,
                                       const LayerCheckArguments& arguments) {
   FeatureCheckOptions options;
@@ -35,6 +45,7 @@ std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView&
   options.open_contours = layer.open_contours;
   options.features_without_roles = without_roles;
   std::vector<FeatureFault> faults = check_features(features, options);
+  turn_open_rings(layer, without_roles, faults);
   if (arguments.coverage) {
     CallOptions coverage_options;
     coverage_options.threads = arguments.threads;

@@ -89,13 +89,13 @@ std::string FaultReport::to_text(bool coverage) const {
   const std::string size = fmt::format(
       "{}, {}, {}, {}", counted(features_.feature_count(), "feature"), counted(regions.polygon_count(), "part"),
       counted(regions.contour_count(), "ring"), counted(regions.points.size(), "vertex"));
-  std::string text =
-      faults == 0 ? fmt::format("{}: {}\n", coverage ? "valid coverage" : "valid", size)
-                  : fmt::format("{} in {}\n", counted(faults, "fault"), size);
+  std::string text = faults == 0 ? fmt::format("{}: {}\n", coverage ? "valid coverage" : "valid", size)
+                                 : fmt::format("{} in {}\n", counted(faults, "fault"), size);
   for (std::size_t i = 0; i < feature_fault_kinds; ++i)
     if (counts[i].faults > 0)
-      text += fmt::format("  {:<30}{:>12}  in {}\n", std::string(name(kind_at(i))) + (is_note(kind_at(i)) ? " (note)" : ""),
-                          grouped(counts[i].faults), counted(counts[i].features, "feature"));
+      text +=
+          fmt::format("  {:<30}{:>12}  in {}\n", std::string(name(kind_at(i))) + (is_note(kind_at(i)) ? " (note)" : ""),
+                      grouped(counts[i].faults), counted(counts[i].features, "feature"));
   const std::string others = lines_and_points(layer_.report);
   if (!others.empty()) text += fmt::format("not checked: {}\n", others);
   if (faults == 0) return text;

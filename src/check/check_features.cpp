@@ -65,8 +65,7 @@ std::vector<FeatureFault> find_all(const FeatureView& features, const FeatureChe
   FeatureRings rings;
   std::vector<FeatureFault> found;
   for (std::uint32_t f = 0; f < count; ++f)
-    if (vertices_of(features, f) > tuning::parts_a_task)
-      check_feature(features, f, options, rings, found);
+    if (vertices_of(features, f) > tuning::parts_a_task) check_feature(features, f, options, rings, found);
   add(found);
   checking::add_open_contours(features, options.open_contours, faults);
   checking::put_in_order(faults);

@@ -12,14 +12,26 @@
 namespace oblast {
 
 const char* name(FeatureFaultKind kind) {
-  constexpr const char* names[feature_fault_kinds] = {
-      "ring not closed",      "too few points",        "spike",
-      "ring crosses itself",  "ring touches itself",   "ring runs along itself",
-      "repeated ring",        "hole crosses shell",    "hole outside its shell",
-      "holes overlap",        "rings share an edge",   "interior cut in two",
-      "parts overlap",        "parts share an edge",   "repeated vertex",
-      "wrong orientation",    "overlap",               "gap",
-      "T-junction",           "mismatched vertices"};
+  constexpr const char* names[feature_fault_kinds] = {"ring not closed",
+                                                      "too few points",
+                                                      "spike",
+                                                      "ring crosses itself",
+                                                      "ring touches itself",
+                                                      "ring runs along itself",
+                                                      "repeated ring",
+                                                      "hole crosses shell",
+                                                      "hole outside its shell",
+                                                      "holes overlap",
+                                                      "rings share an edge",
+                                                      "interior cut in two",
+                                                      "parts overlap",
+                                                      "parts share an edge",
+                                                      "repeated vertex",
+                                                      "wrong orientation",
+                                                      "overlap",
+                                                      "gap",
+                                                      "T-junction",
+                                                      "mismatched vertices"};
   const auto i = static_cast<std::size_t>(kind);
   return i < feature_fault_kinds ? names[i] : "";
 }

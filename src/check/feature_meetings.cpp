@@ -92,7 +92,7 @@ class Judge {
 
   void run_along(std::uint32_t i, std::uint32_t j, const Point& at) {
     const std::uint32_t a = rings_.ring_of(i), b = rings_.ring_of(j);
-    add(a == b                                     ? ring_runs_along_itself
+    add(a == b                                   ? ring_runs_along_itself
         : rings_.polygon[a] == rings_.polygon[b] ? rings_share_edge
                                                  : parts_share_edge,
         a, i, b, j, at);
@@ -134,7 +134,8 @@ class Stretches {
   /// REQUIRES: pairs come in descending order.
   bool begins(std::uint32_t i, std::uint32_t j) {
     std::erase_if(open_, [&](const auto& pair) { return pair.first > i + 1; });
-    const bool goes_on = std::any_of(open_.begin(), open_.end(), [&](const auto& pair) { return near(pair.second, j); });
+    const bool goes_on =
+        std::any_of(open_.begin(), open_.end(), [&](const auto& pair) { return near(pair.second, j); });
     open_.emplace_back(i, j);
     return !goes_on && !near(i, j);
   }

@@ -20,8 +20,8 @@ struct RingNesting {
 /// Cost: O(n log n).
 RingNesting nest_rings(const FeatureRings& rings);
 
-/// Gives each ring a role and a part by how deep it lies, and puts the rings of a part together, its shell first. No ring
-/// is broken then: meetings must be looked for again.
+/// Gives each ring a role and a part by how deep it lies, and puts the rings of a part together, its shell first. No
+/// ring is broken then: meetings must be looked for again.
 void give_roles(FeatureRings& rings, const RingNesting& nesting);
 
 /// Adds holes outside their shell, holes in holes, parts in parts, cut interiors and notes on orientation.

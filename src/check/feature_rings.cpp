@@ -46,8 +46,7 @@ Array<Point> canonical(const FeatureRings& rings, std::uint32_t ring) {
   const std::uint32_t begin = rings.begin(ring), count = rings.ends[ring] - begin - 1;
   const std::span<const Point> points(rings.points.data() + begin, count);
   const std::uint32_t smallest = smallest_vertex(points).vertex;
-  const bool backward =
-      lexicographically_less(points[(smallest + count - 1) % count], points[(smallest + 1) % count]);
+  const bool backward = lexicographically_less(points[(smallest + count - 1) % count], points[(smallest + 1) % count]);
   Array<Point> result(count);
   for (std::uint32_t i = 0; i < count; ++i) result[i] = points[(smallest + (backward ? count - i : i)) % count];
   return result;

@@ -41,9 +41,7 @@ struct FeatureRings {
     return index == begin(ring) ? ends[ring] - 2 : index - 1;
   }
   std::uint32_t after(std::uint32_t index) const { return index + 1; }
-  FeaturePlace place(std::uint32_t ring, std::uint32_t index) const {
-    return {feature, contour[ring], vertex[index]};
-  }
+  FeaturePlace place(std::uint32_t ring, std::uint32_t index) const { return {feature, contour[ring], vertex[index]}; }
 };
 
 /// Keeps the rings of a list, in its order. Cost: linear.

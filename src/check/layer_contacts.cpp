@@ -34,9 +34,8 @@ bool goes_along(const LayerEdges& edges, const VertexOnEdge& c) {
 }  // namespace
 
 std::span<const BorderCrossing> LayerContacts::crossings_at(const Point& p) const {
-  const auto first = std::partition_point(crossings.begin(), crossings.end(), [&](const BorderCrossing& c) {
-    return lexicographically_less(c.point, p);
-  });
+  const auto first = std::partition_point(crossings.begin(), crossings.end(),
+                                          [&](const BorderCrossing& c) { return lexicographically_less(c.point, p); });
   const auto past = std::partition_point(first, crossings.end(), [&](const BorderCrossing& c) { return c.point == p; });
   return {first, past};
 }
@@ -82,9 +81,8 @@ void add_junctions(const LayerEdges& edges, const LayerContacts& contacts, std::
   std::vector<Junction> junctions;
   junctions.reserve(contacts.on_edges.size());
   for (const VertexOnEdge& c : contacts.on_edges)
-    junctions.push_back(
-        {{goes_along(edges, c) ? FeatureFaultKind::mismatched_vertices : FeatureFaultKind::t_junction,
-          edges.place(c.vertex), edges.place(c.edge), edges.points()[c.vertex]}});
+    junctions.push_back({{goes_along(edges, c) ? FeatureFaultKind::mismatched_vertices : FeatureFaultKind::t_junction,
+                          edges.place(c.vertex), edges.place(c.edge), edges.points()[c.vertex]}});
   parallel_sort(junctions.begin(), junctions.end(),
                 [](const Junction& a, const Junction& b) { return a.key() < b.key(); });
   const auto same = [](const FeatureFault& a, const FeatureFault& b) {

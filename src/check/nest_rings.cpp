@@ -26,8 +26,7 @@ class Sweep {
     find_lowest_edges();
     pass_over_edges();
     RingNesting nesting{Array<std::uint32_t>(rings_.size(), none), Array<std::uint8_t>(rings_.size(), 0)};
-    for (std::uint32_t r = 0; r < rings_.size(); ++r)
-      nesting.is_ccw[r] = lowest_[r] != none && is_forward(lowest_[r]);
+    for (std::uint32_t r = 0; r < rings_.size(); ++r) nesting.is_ccw[r] = lowest_[r] != none && is_forward(lowest_[r]);
     find_parents(nesting);
     return nesting;
   }
@@ -85,8 +84,7 @@ class Sweep {
         status_.erase(places[ends[e]]);
       }
       const std::size_t first = b;
-      for (; b < begins.size() && left(begins[b]) == at; ++b)
-        places[begins[b]] = status_.insert(begins[b]).first;
+      for (; b < begins.size() && left(begins[b]) == at; ++b) places[begins[b]] = status_.insert(begins[b]).first;
       for (std::size_t i = first; i < b; ++i) look_below(begins[i], places[begins[i]]);
     }
   }

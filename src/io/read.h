@@ -21,7 +21,7 @@ enum class FeatureEntries {
 /// What becomes of the vertices of rings.
 enum class RingVertices {
   cleaned,  ///< repeated vertices are removed
-  all,      ///< every vertex but the closing one stays, for checks; vertices have the numbers that they have in the file
+  all,  ///< every vertex but the closing one stays, for checks; vertices have the numbers that they have in the file
 };
 
 struct ReadOptions {

@@ -11,6 +11,7 @@
 #include "apps/program_run.h"
 #include "io/read.h"
 #include "io/rows.h"
+#include "io/write.h"
 
 namespace oblast::test {
 namespace {
@@ -131,7 +132,8 @@ TEST(CheckFeatures, WritesFaultsAsPoints) {
     EXPECT_EQ(points.code, 1);
     EXPECT_EQ(points.out, out + " has no polygons, only 2 points; there is nothing to check\n");
     EXPECT_EQ(oblast_program({"check", folder.path("in.wkt"), "--faults", out}).code, 1) << "must not replace";
-    EXPECT_TRUE(contains(oblast_program({"check", folder.path("in.wkt"), "--faults", out, "--overwrite"}).out, "wrote"));
+    EXPECT_TRUE(
+        contains(oblast_program({"check", folder.path("in.wkt"), "--faults", out, "--overwrite"}).out, "wrote"));
   }
   const Json features = Json::parse(read_file(folder / "faults.geojson"))["features"];
   ASSERT_EQ(features.size(), 2u);
@@ -166,6 +168,21 @@ TEST(CheckFeatures, RecordsOfShapefilesHaveNoRoles) {
              "(21 1, 21 8, 28 8, 28 1, 21 1)))");
   ASSERT_EQ(oblast_program({"union", folder.path("in.wkt"), "-o", folder.path("out.shp")}).code, 0);
   EXPECT_EQ(oblast_program({"check", folder.path("out.shp")}).code, 0);
+}
+
+TEST(CheckFeatures, VerticesOfShapefilesHaveTheNumbersOfTheFile) {
+  // More of it runs clockwise, as outer rings do in shapefiles, so it is written as it is. It is reversed on reading.
+  const Folder folder;
+  const std::vector<Point> points{{0, 0}, {4, 4}, {4, 0}, {0, 2}};
+  const std::uint32_t ends[] = {4}, polygons[] = {1};
+  io::write(folder.path("in.shp"), {points, ends, polygons});
+  const ProgramRun run = oblast_program({"check", folder.path("in.shp"), "--json"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const Json fault = Json::parse(run.out)["faults"][0];
+  EXPECT_EQ(fault["kind"], "ring crosses itself");
+  // The edges from vertex 0 to 1 and from 2 to 3.
+  EXPECT_EQ(fault["place"]["vertex"], 1);
+  EXPECT_EQ(fault["other"]["vertex"], 3);
 }
 
 TEST(CheckFeatures, OptionsThatDoNotGoTogether) {

@@ -98,7 +98,8 @@ TEST(CheckFeatures, whatTheCallerKnows) {
   options.open_contours = wrong;
   EXPECT_THROW(check_features(view(square), options), Error);
   // A record: shells first, then their holes, in a hole an island; all in one polygon.
-  const RegionSet record = regions_of("0 0, 9 0, 9 9, 0 9; 20 0, 29 0, 29 9, 20 9; 21 1, 21 8, 28 8, 28 1; 22 2, 23 2, 23 3");
+  const RegionSet record =
+      regions_of("0 0, 9 0, 9 9, 0 9; 20 0, 29 0, 29 9, 20 9; 21 1, 21 8, 28 8, 28 1; 22 2, 23 2, 23 3");
   EXPECT_EQ(kinds_of(check_features(view(record))),
             (Kinds{hole_outside_shell, holes_overlap, holes_overlap, wrong_orientation, wrong_orientation}));
   FeatureCheckOptions roleless;
@@ -161,7 +162,7 @@ TEST_P(CheckFeaturesHostile, resultsAreValidAndThreadsMakeNoDifference) {
   }
 }
 
-// Rows that do not overlap are a coverage of valid features, whatever the input: what `check` finds between them are gaps.
+// Rows that do not overlap are valid features. Between them there may be gaps, and nothing else.
 TEST_P(CheckFeaturesHostile, aPartitionHasNoOverlaps) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const RegionSet input = GetParam().make(seed, GetParam().usual).a;
