@@ -1,120 +1,113 @@
-// `oblast check`: proves that a file is closed (G2). Options: whether it is canonical (G3), and the right result.
-#include <fmt/format.h>
-
+// `oblast check`: whether a file is what it is taken for. By default its features, on request more (see the footer).
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <vector>
+#include <string>
 
-#include "io/read.h"
-#include "oblast/check_against.h"
+#include "oblast/check_layer.h"
+#include "oblast/check_regions.h"
 #include "oblast/check_rows.h"
 #include "oblast/command.h"
-#include "oblast/console.h"
 #include "oblast/names.h"
-#include "verify/verify.h"
 
 namespace oblast::app {
 
 namespace {
 
 constexpr const char* footer = R"(
-The command proves, with exact arithmetic: edges meet only at common end points.
-Contours do not cross, overlap or repeat. Outer contours run counter-clockwise. Holes
-run clockwise and lie inside their own outer contour. Polygons do not overlap. The
-directions of rings are those in the file. If the format prescribes other directions
-(Shapefile), the directions that GDAL reads count.
+Without an option the command checks each feature by itself. A feature must be a valid
+polygon or multipolygon, as the OGC defines it. Faults are: a ring is not closed, has too
+few points, has a spike, crosses itself, touches itself, or runs along itself; a ring is
+repeated; a hole crosses its shell or lies outside it; holes overlap; rings of a polygon
+share an edge; rings touch so that the interior is cut in two; parts of a multipolygon
+overlap or share an edge. Repeated vertices, and shells or holes that run in the wrong
+direction, are notes: the feature is valid all the same.
 
---canonical also checks the order that oblast writes: each contour starts at its
-lexicographically smallest vertex, and holes and polygons are sorted.
+--coverage also looks between the features. Faults are: two features overlap; features
+enclose a gap; a vertex of one lies on an edge of another where its border turns away
+(T-junction) or goes on along the edge (mismatched vertices). A hole of a single feature
+is no gap.
 
---rows takes each feature of FILE as a row, as `oblast overlay` writes them. Rows may
-overlap. The command proves that each is closed and canonical, and that edges of different
-rows are identical or meet at common end points only.
+The command counts all faults by kind and lists the first 20, each with its place and the
+feature, part, ring and vertex on both sides. Features have the numbers of the file. Parts
+and rings count from 1, vertices from 0. An edge has the number of a vertex at one of its
+ends. --faults writes all faults and notes as points, and --json prints them. All decisions
+are exact: there is no tolerance.
 
---against also checks whether FILE is the right result for the operands. It tests many
-points: some anywhere, some a few units in the last place beside edges, vertices and
-crossings. Each must be inside FILE exactly if the operation says so. It also tests all
-stretches of many lines. The decisions are exact, and the code is independent of the
-overlay. Without --op the operands are united, as by `oblast union`.
+--regions takes the whole file as one region set, as `oblast union` writes it, and proves:
+edges meet only at common end points, polygons do not overlap, outer rings run
+counter-clockwise and holes clockwise. It stops at the first fault. --canonical also
+checks the order that oblast writes. The code is independent of the overlay.
+
+--rows takes the features as rows, as `oblast overlay` writes them. Rows may overlap, which
+--coverage does not admit. But each must be a canonical region set, and edges of different
+rows must be identical or meet at common end points only. It stops at the first fault.
+
+--against checks whether FILE is the right result for the operands. It tests many points:
+some anywhere, some a few units in the last place beside edges, vertices and crossings.
+Each must be inside FILE exactly if the operation says so. It also tests all stretches of
+many lines. Without --op the operands are united, as by `oblast union`.
+
+The exit code is 0 if there is no fault, and 1 if there is one.
 
 Examples
-  oblast check burnt.gpkg && echo fit for any GIS
-  oblast check burnt.gpkg --against fires/
+  oblast check parcels.gpkg
+  oblast check parcels.gpkg --coverage --faults faults.gpkg
+  oblast check burnt.gpkg --regions && echo fit for any GIS
   oblast check communes_by_fire.gpkg --rows
   oblast check new.gpkg --against june.gpkg may.gpkg --op difference --points 1000000)";
 
 struct Arguments {
-  std::string file;
-  bool canonical = false;
-  bool rows = false;
-  ContourConvention convention = ContourConvention::ogc;
-  AgainstArguments against;
+  LayerCheckArguments features;
+  RegionCheckArguments regions;
+  bool as_regions = false;
+  bool as_rows = false;
 };
 
-int run(const Arguments& arguments, bool json) {
-  if (arguments.rows) {
-    if (arguments.canonical || !arguments.against.operands.empty())
-      throw CallError("--rows checks the order of each row anyway, and has no --against; leave out the other option");
-    return check_rows(arguments.file, arguments.convention, json);
-  }
-  check_call(arguments.file, arguments.against);
-  const std::vector<std::string> paths{arguments.file};
-  const io::Layer layer = io::read(paths);
-  const RegionView regions = layer.regions;
-  std::optional<verify::Fault> fault = verify::check_closed(regions, arguments.convention);
-  const bool closed = !fault;
-  if (closed && arguments.canonical) fault = verify::check_canonical(regions);
-  std::string place, what;
-  if (fault) {
-    place = io::describe(layer, fault->place);
-    what = fault->what;
-  }
-  const std::string note = mended(layer.report);
-  std::optional<AgainstFindings> findings;
-  if (!fault && !arguments.against.operands.empty()) findings = check_against(layer, arguments.against);
-  if (json) {
-    nlohmann::ordered_json object{{"file", arguments.file},
-                                  {"closed", closed},
-                                  {"polygons", regions.polygon_count()},
-                                  {"contours", regions.contour_count()},
-                                  {"vertices", regions.points.size()}};
-    if (arguments.canonical && closed) object["canonical"] = !fault;
-    if (fault) object["fault"] = {{"what", what}, {"place", place}};
-    if (!note.empty()) object["note"] = note;
-    if (findings) object["against"] = findings->json;
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  } else if (fault) {
-    fmt::print("{}: {}\n  at {}\n", closed ? "not canonical" : "not closed", what,
-               place.empty() ? arguments.file : place);
-  } else {
-    fmt::print("{}: {}, {}, {}\n", arguments.canonical ? "closed and canonical" : "closed",
-               counted(regions.polygon_count(), "polygon"), counted(regions.contour_count(), "contour"),
-               counted(regions.points.size(), "vertex"));
-  }
-  if (!json && !note.empty()) fmt::print("  note: {}\n", note);
-  if (!json && findings) fmt::print("{}", findings->text);
-  return fault || (findings && !findings->right) ? exit_data : exit_done;
+int run(Arguments arguments, bool json) {
+  const bool against = !arguments.regions.against.operands.empty();
+  if (arguments.as_rows && (arguments.regions.canonical || against))
+    throw CallError("--rows checks the order of each row anyway, and has no --against; leave out the other option");
+  const bool regions = arguments.as_regions || arguments.regions.canonical || against;
+  if (arguments.features.coverage + arguments.as_rows + regions > 1)
+    throw CallError("--coverage, --rows and --regions (also --canonical and --against) are different checks; name one");
+  if ((arguments.as_rows || regions) && !arguments.features.faults.empty())
+    throw CallError(
+        "--faults goes with the check of features or of a coverage; --rows and --regions stop at the first fault");
+  if (arguments.as_rows) return check_rows(arguments.features.file, arguments.regions.convention, json);
+  arguments.regions.file = arguments.features.file;
+  if (regions) return check_regions(arguments.regions, json);
+  check_call(arguments.features.file, arguments.regions.against);
+  arguments.features.threads = arguments.regions.against.threads;
+  arguments.features.json = json;
+  return check_layer(arguments.features);
 }
 
 }  // namespace
 
 void add_check(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      program.add_subcommand("check", "Prove that a file is a valid region set, or name the first fault.");
+  CLI::App* command = program.add_subcommand("check", "Find all faults of features, of a coverage, or of a result.");
   command->footer(footer);
-  command->add_option("FILE", arguments->file, "a vector file, a folder, or `-` for WKT on standard input")
+  command->add_option("FILE", arguments->features.file, "a vector file, a folder, or `-` for WKT on standard input")
       ->required()
       ->type_name("");
-  command->add_flag("--canonical", arguments->canonical, "also check that the order is canonical");
-  command->add_flag("--rows", arguments->rows, "check that each feature is a row, and that rows fit together");
+  command->add_flag("--coverage", arguments->features.coverage,
+                    "also find overlaps, gaps and vertices that do not match between features");
+  CLI::Option* faults = command
+                            ->add_option("--faults", arguments->features.faults,
+                                         "write all faults as a point layer: .gpkg, .shp, .geojson, .fgb or .wkt")
+                            ->type_name("FILE");
+  command->add_flag("--overwrite", arguments->features.overwrite, "replace an existing file of that name")
+      ->needs(faults);
+  command->add_flag("--regions", arguments->as_regions, "prove that the whole file is one valid region set");
+  command->add_flag("--canonical", arguments->regions.canonical, "the same, and that its order is canonical");
+  command->add_flag("--rows", arguments->as_rows, "prove that the features are rows of a result that fit together");
   command
       ->add_option_function<std::string>(
-          "--contours", [arguments](const std::string& word) { arguments->convention = parse_contours(word); },
-          "how contours of FILE may touch themselves: ogc (default) or leonov-nikitin")
+          "--contours", [arguments](const std::string& word) { arguments->regions.convention = parse_contours(word); },
+          "with --regions or --rows: how contours may touch themselves, ogc (default) or leonov-nikitin")
       ->type_name("CONVENTION");
-  add_against_options(*command, arguments->against);
-  command->add_flag("--json", invocation.json, "print the findings as one JSON object on standard output");
+  add_against_options(*command, arguments->regions.against);
+  command->add_flag("--json", invocation.json, "print all findings as one JSON object on standard output");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

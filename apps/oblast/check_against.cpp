@@ -138,8 +138,7 @@ void add_against_options(CLI::App& command, AgainstArguments& arguments) {
   command.add_option("--seed", a->seed, "seed of the random points and lines (1)")->type_name("N")->needs("--against");
   command.add_option("--threads", a->threads, "number of threads; 0 (default): all cores. The findings are the same")
       ->check(CLI::Range(0, 1024))
-      ->type_name("N")
-      ->needs("--against");
+      ->type_name("N");
 }
 
 void check_call(const std::string& file, const AgainstArguments& arguments) {

@@ -9,6 +9,7 @@
 #include "io/rows.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/no_polygons.h"
 #include "verify/rows.h"
 
 namespace oblast::app {
@@ -61,6 +62,8 @@ std::string mended(const io::ReadReport& report) {
 
 int check_rows(const std::string& file, ContourConvention convention, bool json) {
   const io::Layer layer = read(file);
+  if (!lines_and_points(layer.report).empty())
+    if (const auto code = say_no_polygons(file, layer, json)) return *code;
   const std::vector<std::uint32_t> ends = io::feature_ends(layer);
   const FeatureView rows{layer.regions, ends};
   const std::optional<verify::Fault> fault = verify::check_rows(rows, convention);

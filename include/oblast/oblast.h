@@ -3,6 +3,7 @@
 #pragma once
 
 #include <oblast/check.h>
+#include <oblast/check_features.h>
 #include <oblast/domain.h>
 #include <oblast/error.h>
 #include <oblast/features.h>

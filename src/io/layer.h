@@ -44,6 +44,7 @@ struct Layer {
   std::vector<std::string> files;
   std::string crs_wkt;  ///< coordinate system as WKT; empty if the files name none
   ReadReport report;
+  std::vector<std::uint32_t> open_contours;  ///< those that the file does not close; only with RingVertices::all
 };
 
 /// A place in the layer, for messages: "fires/0412.shp, feature 17, part 2, ring 1, vertex 5". Features have the ids of

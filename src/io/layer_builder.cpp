@@ -49,14 +49,17 @@ void LayerBuilder::add_ring(std::span<const Point> ring) {
       ring = ring.first(ring.size() - 1);
     } else {
       ++layer_.report.unclosed_contours;
+      if (vertices_ == RingVertices::all)
+        layer_.open_contours.push_back(static_cast<std::uint32_t>(layer_.regions.contour_ends.size()));
     }
   }
   const std::size_t begin = points.size();
   points.push_back(ring.front());
   for (const Point& p : ring.subspan(1)) {
-    if (p != points.back()) points.push_back(p);
+    if (p != points.back() || vertices_ == RingVertices::all) points.push_back(p);
   }
-  while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
+  if (vertices_ == RingVertices::cleaned)
+    while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
   if (turn_) std::reverse(points.begin() + static_cast<std::ptrdiff_t>(begin) + 1, points.end());
   layer_.report.repeated_vertices += ring.size() - (points.size() - begin);
   layer_.regions.contour_ends.push_back(static_cast<std::uint32_t>(points.size()));

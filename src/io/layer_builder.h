@@ -16,7 +16,7 @@ class LayerBuilder {
  public:
   /// `file` is an index into layer.files.
   LayerBuilder(Layer& layer, std::uint32_t file, const ReadOptions& options)
-      : layer_(layer), file_(file), other_(options.other), entries_(options.entries) {}
+      : layer_(layer), file_(file), other_(options.other), entries_(options.entries), vertices_(options.vertices) {}
 
   /// `extra` is put into messages after the feature ("line 3"), if not empty.
   void begin_feature(std::int64_t id, std::string extra = {});
@@ -49,6 +49,7 @@ class LayerBuilder {
   std::uint32_t file_;
   OtherGeometry other_;
   FeatureEntries entries_;
+  RingVertices vertices_;
   std::int64_t feature_ = 0;
   std::string extra_;
   std::uint32_t first_polygon_ = 0;  // of the feature

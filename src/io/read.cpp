@@ -87,6 +87,7 @@ void append(Layer& sum, const Layer& part) {
     feature.file += files;
     sum.features.push_back(feature);
   }
+  for (const std::uint32_t contour : part.open_contours) sum.open_contours.push_back(contours + contour);
   sum.files.insert(sum.files.end(), part.files.begin(), part.files.end());
   add(sum.report, part.report);
 }

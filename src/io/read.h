@@ -18,9 +18,16 @@ enum class FeatureEntries {
   all,            ///< every one, also without geometry, in the order of the file: the rows of a table
 };
 
+/// What becomes of the vertices of rings.
+enum class RingVertices {
+  cleaned,  ///< repeated vertices are removed
+  all,  ///< every vertex but the closing one stays, for checks; vertices have the numbers that they have in the file
+};
+
 struct ReadOptions {
   OtherGeometry other = OtherGeometry::count_and_skip;
   FeatureEntries entries = FeatureEntries::with_polygons;
+  RingVertices vertices = RingVertices::cleaned;
   /// Only features for which this condition on their attributes holds, as in GDAL's `-where`: "area > 3". Empty: all.
   std::string where = {};
   int threads = 0;  ///< 0: all cores. Files are read in parallel; the order of the polygons does not depend on it

@@ -291,22 +291,22 @@ TEST(Overlay, SecondFillRuleIsForTheSecondOperand) {
 }
 
 TEST(Check, NamesTheFirstFaultAndItsPlace) {
-  const ProgramRun crossing = oblast_program({"check", "-"}, "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
+  const ProgramRun crossing = oblast_program({"check", "-", "--regions"}, "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
   EXPECT_EQ(crossing.code, 1);
-  EXPECT_TRUE(contains(crossing.out, "not closed")) << crossing.out;
+  EXPECT_TRUE(contains(crossing.out, "not a valid region set")) << crossing.out;
   EXPECT_TRUE(contains(crossing.out, "vertex")) << crossing.out;
-  const ProgramRun good = oblast_program({"check", "-"}, std::string(their_union));
+  const ProgramRun good = oblast_program({"check", "-", "--regions"}, std::string(their_union));
   EXPECT_EQ(good.code, 0) << good.out;
   EXPECT_TRUE(contains(good.out, "1 polygon, 1 contour, 8 vertices")) << good.out;
 }
 
 TEST(Check, OrderCountsOnlyWhenAskedFor) {
   const std::string rotated = "POLYGON ((2 0, 2 2, 0 2, 0 0, 2 0))";
-  EXPECT_EQ(oblast_program({"check", "-"}, rotated).code, 0);
+  EXPECT_EQ(oblast_program({"check", "-", "--regions"}, rotated).code, 0);
   const ProgramRun run = oblast_program({"check", "-", "--canonical", "--json"}, rotated);
   EXPECT_EQ(run.code, 1);
   const Json json = Json::parse(run.out);
-  EXPECT_EQ(json["closed"], true);
+  EXPECT_EQ(json["valid"], true);
   EXPECT_EQ(json["canonical"], false);
   EXPECT_TRUE(json["fault"].contains("what"));
 }
@@ -334,7 +334,7 @@ TEST(CheckAgainst, ProvesAnOverlayOrNamesTheWrongPlace) {
   EXPECT_TRUE(contains(wrong.out, "wrong: at (")) << wrong.out;
   const ProgramRun json = check(only_a, {"--op", "intersection", "--json"});
   EXPECT_EQ(json.code, 1);
-  EXPECT_EQ(Json::parse(json.out)["closed"], true);
+  EXPECT_EQ(Json::parse(json.out)["valid"], true);
   EXPECT_EQ(Json::parse(json.out)["against"]["right"], false);
   EXPECT_TRUE(Json::parse(json.out)["against"]["wrong"].contains("at"));
 

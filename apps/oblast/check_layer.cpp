@@ -1,0 +1,95 @@
+// Reads the features as the file has them, checks them, and reports; see check_layer.h.
+#include "oblast/check_layer.h"
+
+#include <fmt/format.h>
+#include <oblast/check_features.h>
+
+#include <algorithm>
+
+#include "io/formats.h"
+#include "io/read.h"
+#include "io/rows.h"
+#include "io/write_points.h"
+#include "oblast/command.h"
+#include "oblast/console.h"
+#include "oblast/fault_report.h"
+#include "oblast/no_polygons.h"
+
+namespace oblast::app {
+
+namespace {
+
+/// Records of shapefiles have no parts, and their rings no roles.
+std::vector<std::uint32_t> features_without_roles(const io::Layer& layer) {
+  std::vector<std::uint32_t> features;
+  for (std::uint32_t f = 0; f < layer.features.size(); ++f)
+    if (io::lower_extension(layer.files[layer.features[f].file]) == ".shp") features.push_back(f);
+  return features;
+}
+
+/// Rings of shapefiles are reversed on reading, so the last vertex of the file is the second one here.
+void turn_open_rings(const io::Layer& layer, std::span<const std::uint32_t> turned, std::vector<FeatureFault>& faults) {
+  for (FeatureFault& fault : faults) {
+    if (fault.kind != FeatureFaultKind::ring_not_closed) continue;
+    if (!std::binary_search(turned.begin(), turned.end(), fault.place.feature)) continue;
+    fault.place.vertex = 1;
+    fault.point = layer.regions.view().contour(fault.place.contour)[1];
+  }
+}
+
+std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView& features,
+                                      const LayerCheckArguments& arguments) {
+  FeatureCheckOptions options;
+  options.threads = arguments.threads;
+  const std::vector<std::uint32_t> without_roles = features_without_roles(layer);
+  options.open_contours = layer.open_contours;
+  options.features_without_roles = without_roles;
+  std::vector<FeatureFault> faults = check_features(features, options);
+  turn_open_rings(layer, without_roles, faults);
+  if (arguments.coverage) {
+    CallOptions coverage_options;
+    coverage_options.threads = arguments.threads;
+    const std::vector<FeatureFault> between = check_coverage(features, coverage_options);
+    faults.insert(faults.end(), between.begin(), between.end());
+  }
+  return faults;
+}
+
+void write_faults(const FaultReport& report, const io::Layer& layer, const LayerCheckArguments& arguments) {
+  io::WriteOptions options;
+  options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  options.crs_wkt = layer.crs_wkt;
+  std::vector<Point> points;
+  for (const FeatureFault& fault : report.faults()) points.push_back(fault.point);
+  io::write_points(arguments.faults, points, report.columns(), options);
+}
+
+}  // namespace
+
+int check_layer(const LayerCheckArguments& arguments) {
+  if (arguments.faults == arguments.file) throw CallError("--faults names the file that is checked; name another one");
+  io::WriteOptions write_options;
+  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  if (!arguments.faults.empty()) io::check_writable(arguments.faults, write_options);
+  io::ReadOptions options;
+  options.entries = io::FeatureEntries::all;
+  options.vertices = io::RingVertices::all;
+  options.threads = arguments.threads;
+  const io::Layer layer = io::read({&arguments.file, 1}, options);
+  if (const auto code = say_no_polygons(arguments.file, layer, arguments.json)) return *code;
+  const std::vector<std::uint32_t> ends = io::feature_ends(layer);
+  const FeatureView features{layer.regions, ends};
+  const FaultReport report(layer, features, find_faults(layer, features, arguments));
+  if (!arguments.faults.empty()) write_faults(report, layer, arguments);
+  if (arguments.json) {
+    fmt::print("{}\n", report.to_json(arguments.file, arguments.coverage)
+                           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  } else {
+    fmt::print("{}", report.to_text(arguments.coverage));
+    if (!arguments.faults.empty() && arguments.faults != "-")
+      fmt::print("wrote {} to {}\n", counted(report.faults().size(), "point"), arguments.faults);
+  }
+  return report.has_faults() ? exit_data : exit_done;
+}
+
+}  // namespace oblast::app
