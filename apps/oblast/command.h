@@ -26,6 +26,8 @@ class CallError : public std::runtime_error {
 
 void add_union(CLI::App& program, Invocation& invocation);
 void add_overlay(CLI::App& program, Invocation& invocation);
+void add_clip(CLI::App& program, Invocation& invocation);
+void add_erase(CLI::App& program, Invocation& invocation);
 void add_dissolve(CLI::App& program, Invocation& invocation);
 void add_depth(CLI::App& program, Invocation& invocation);
 void add_partition(CLI::App& program, Invocation& invocation);

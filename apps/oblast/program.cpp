@@ -79,6 +79,8 @@ int run_program(int argc, char** argv) {
   Invocation invocation;
   add_union(program, invocation);
   add_overlay(program, invocation);
+  add_clip(program, invocation);
+  add_erase(program, invocation);
   add_dissolve(program, invocation);
   add_depth(program, invocation);
   add_partition(program, invocation);

@@ -96,6 +96,6 @@ class RowJob {
 /// The columns of a table that --select names; all if it is empty.
 std::vector<std::size_t> selected(const io::AttributeTable& table, const std::vector<std::string>& select);
 /// Throws IoError, which lists the columns there are, if none of the tables has a column of this name.
-void check_column(const std::string& name, const std::vector<io::Rows>& layers);
+void check_column(const std::string& name, std::span<const io::Rows> layers);
 
 }  // namespace oblast::app
