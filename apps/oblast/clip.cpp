@@ -17,7 +17,7 @@ their attributes are not used. Features that shared a border before share it aft
 its columns.
 
 Example: the forests of one region, and how large they are there
-  oblast clip forests.gpkg regions.gpkg --where-window "name = 'Picardie'" -o picardie.gpkg --area m2)";
+  oblast clip forests.gpkg regions.gpkg --where-window "name = 'Picardie'" -o out.gpkg --area m2)";
 
 constexpr const char* erase_footer = R"(
 Each feature of IN keeps its part outside MASK, and its attributes. Features that have no

@@ -39,5 +39,6 @@ void add_classic(CLI::App& program, Invocation& invocation);
 void add_compare(CLI::App& program, Invocation& invocation);
 void add_hull(CLI::App& program, Invocation& invocation);
 void add_layers(CLI::App& program, Invocation& invocation);
+void add_help(CLI::App& program, Invocation& invocation);
 
 }  // namespace oblast::app
