@@ -198,9 +198,8 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
     summary.operands.push_back(summarise(label(job, k), job.operands[k], layers[k]));
   summary.output = arguments.output;
   summary.picture = arguments.picture;
-  summary.crs = io::crs_name(write_options.crs_wkt);
   summary.engine = options.engine;
-  summary.area = signed_area(result);
+  add_measures(summary, result, write_options.crs_wkt, !json && !arguments.quiet);
   summary.seconds_total = total.seconds();
   if (json) {
     fmt::print("{}\n", to_json(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

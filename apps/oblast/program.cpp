@@ -80,6 +80,8 @@ int run_command(const Invocation& invocation) {
     return invocation.run();
   } catch (const CallError& error) {
     return fail(invocation, exit_call, error.what());
+  } catch (const io::CannotOpen& error) {
+    return fail(invocation, exit_call, error.what());
   } catch (const Interrupted&) {
     return fail(invocation, exit_interrupted, "interrupted; unfinished output was removed");
   } catch (const std::bad_alloc&) {

@@ -128,7 +128,7 @@ void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
         throw CallError(fmt::format("there is a column {} already; choose another name for the measure", column));
     }
     columns.add(column, values);
-    units_.push_back(fmt::format("{} is in {}", column, unit));
+    units_.push_back(fmt::format("column {} is in {}", column, unit));
   };
   if (!row_arguments_.area.empty()) add(row_arguments_.area, measures.area_unit(), measures.areas(rows));
   if (!row_arguments_.perimeter.empty())
@@ -188,12 +188,11 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
     summary_.operands.push_back(summarise(inputs_[k].label, inputs_[k].paths, layers_[k].layer));
   summary_.output = arguments_.output;
   summary_.picture = arguments_.picture;
-  summary_.crs = io::crs_name(crs_wkt_);
   summary_.rows = rows.feature_count();
   summary_.columns = columns;
   summary_.notes = notes_;
   summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
-  summary_.area = signed_area(rows.regions);
+  app::add_measures(summary_, rows.regions, crs_wkt_, !json_ && !arguments_.quiet);
   summary_.seconds_total = total_.seconds();
   if (json_) {
     fmt::print("{}\n", to_json(summary_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
