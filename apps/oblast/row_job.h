@@ -85,7 +85,7 @@ class RowJob {
   JobArguments arguments_;
   RowArguments row_arguments_;
   bool json_;
-  ProgressLine progress_;
+  JobProgress progress_;
   Summary summary_;
   std::vector<std::string> notes_;  // what the file does not hold as it was given
   std::vector<std::string> units_;  // of the measures

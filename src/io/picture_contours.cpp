@@ -17,7 +17,7 @@ struct Density {
   double least_share;
   double opacity;
 };
-constexpr Density densities[] = {{0, 0.25}, {0.15, 0.45}, {0.35, 0.65}, {0.6, 0.85}, {0.85, 1}};
+constexpr Density densities[] = {{0, 0.45}, {0.15, 0.6}, {0.35, 0.75}, {0.6, 0.9}, {0.85, 1}};
 
 constexpr double clip_margin = 5;  // pixels beyond the panel; the edges made by clipping are invisible there
 
@@ -54,7 +54,7 @@ class Drawing {
   bool run(bool keep_going) {
     for (std::size_t p = 0; p < view_.polygon_count(); ++p) {
       std::string path;
-      for (std::uint32_t c = view_.polygon_begin(p); c < view_.polygon_end(p); ++c) draw(c, c != view_.polygon_begin(p), path);
+      for (std::uint32_t c = view_.polygon_begin(p); c < view_.polygon_end(p); ++c) draw(c, path);
       if (path.empty()) continue;
       if (size() + path.size() + 16 > budget_) {
         if (!keep_going) return false;
@@ -77,18 +77,18 @@ class Drawing {
  private:
   std::size_t size() const { return result_.polygons.size() + result_.outlines.size(); }
 
-  // The area of the contour in square pixels; `hole` makes it negative.
-  double covered(bool hole) const {
+  // The area of the contour in square pixels. A hole below a pixel counts, too: it is rare.
+  double covered() const {
     double sum = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const Point& p = points_[k == 0 ? points_.size() - 1 : k - 1];
       const Point& q = points_[k];
       sum += (p.x - points_[0].x) * (q.y - points_[0].y) - (q.x - points_[0].x) * (p.y - points_[0].y);
     }
-    return (hole ? -1 : 1) * std::fabs(sum) / 2;
+    return std::fabs(sum) / 2;
   }
 
-  void draw(std::uint32_t contour, bool hole, std::string& path) {
+  void draw(std::uint32_t contour, std::string& path) {
     const double left = frame_.box.left - clip_margin, right = frame_.box.left + frame_.box.width + clip_margin;
     const double top = frame_.box.top - clip_margin, bottom = frame_.box.top + frame_.box.height + clip_margin;
     double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
@@ -101,7 +101,7 @@ class Drawing {
     }
     if (points_.empty() || x1 < left || x0 > right || y1 < top || y0 > bottom) return;
     if (x1 - x0 < smallest_ && y1 - y0 < smallest_) {
-      gather((x0 + x1) / 2, (y0 + y1) / 2, covered(hole));
+      gather((x0 + x1) / 2, (y0 + y1) / 2, covered());
       return;
     }
     if (x0 < left) clip_side(points_, scratch_, &Point::x, &Point::y, left, 1), points_.swap(scratch_);
@@ -110,7 +110,7 @@ class Drawing {
     if (y1 > bottom) clip_side(points_, scratch_, &Point::y, &Point::x, bottom, -1), points_.swap(scratch_);
     snap();
     if (snapped_.size() < 3) {
-      gather((x0 + x1) / 2, (y0 + y1) / 2, covered(hole));
+      gather((x0 + x1) / 2, (y0 + y1) / 2, covered());
       return;
     }
     ++result_.drawn;

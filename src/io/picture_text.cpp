@@ -1,13 +1,15 @@
 // UTF-8 by hand: five lines of rules; see picture_text.h.
 #include "io/picture_text.h"
 
+#include <algorithm>
+
 namespace oblast::io {
 
 namespace {
 
 constexpr const char* replacement = "\xEF\xBF\xBD";
 constexpr const char* ellipsis = "\xE2\x80\xA6";
-constexpr double wide_character = 0.56;  // of the font size, on average in a sans-serif font
+constexpr double wide_character = 0.53;  // of the font size, on average in a sans-serif font
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
