@@ -27,10 +27,23 @@ std::size_t parse_bytes(const std::string& word) {
       word));
 }
 
+namespace {
+
+std::string check_threads(const std::string& word) {
+  int number = 0;
+  const char* const past = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), past, number);
+  if (error == std::errc() && rest == past && number >= 0 && number <= CallOptions::most_threads) return {};
+  return fmt::format("'{}' is not a number of threads; write a number from 1 to {}, or 0 for all cores", word,
+                     CallOptions::most_threads);
+}
+
+}  // namespace
+
 void add_call_options(CLI::App& command, CallOptions& options) {
   CallOptions* const call = &options;
-  command.add_option("--threads", call->threads, "number of threads; 0 (default): all cores. The result is the same")
-      ->check(CLI::Range(0, CallOptions::most_threads))
+  command.add_option("--threads", call->threads, "number of threads; 0 (default) is all cores. The result is the same")
+      ->check(check_threads)
       ->type_name("N");
   command
       .add_option_function<std::string>(

@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "io/picture.h"
+#include "io/picture_file.h"
 #include "io/write.h"
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/job.h"
 #include "oblast/methods.h"
 #include "oblast/names.h"
 
@@ -70,6 +72,7 @@ int run(const Arguments& arguments, bool json) {
   io::WriteOptions options;
   options.existing = existing;
   io::check_writable(arguments.output, options);
+  check_picture_call(arguments.picture, arguments.output, json);
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
   const OperandPair pair = read_pair(arguments.a, arguments.b);
   ClassicReport done;
@@ -90,7 +93,7 @@ int run(const Arguments& arguments, bool json) {
     picture.result = result;
     picture.title = fmt::format("{} by {}", name(arguments.operation), arguments.word);
     if (pair.crs_wkt().rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
-    io::write_svg(arguments.picture, picture, existing);
+    io::write_picture(arguments.picture, io::to_svg(picture), existing);
   }
   report(arguments, result, done, spent.count(), json);
   return exit_done;
@@ -126,7 +129,7 @@ void add_classic(CLI::App& program, Invocation& invocation) {
       ->required()
       ->type_name("OUT");
   add_call_options(*command, a->options);
-  command->add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
+  command->add_option("--svg,--picture", a->picture, picture_option)->type_name("PICTURE");
   command->add_flag("--overwrite", a->overwrite, "replace existing files");
   command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
   command->add_flag("-q,--quiet", a->quiet, "print no summary");

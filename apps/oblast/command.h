@@ -26,6 +26,8 @@ class CallError : public std::runtime_error {
 
 void add_union(CLI::App& program, Invocation& invocation);
 void add_overlay(CLI::App& program, Invocation& invocation);
+void add_clip(CLI::App& program, Invocation& invocation);
+void add_erase(CLI::App& program, Invocation& invocation);
 void add_dissolve(CLI::App& program, Invocation& invocation);
 void add_depth(CLI::App& program, Invocation& invocation);
 void add_partition(CLI::App& program, Invocation& invocation);
@@ -37,5 +39,6 @@ void add_classic(CLI::App& program, Invocation& invocation);
 void add_compare(CLI::App& program, Invocation& invocation);
 void add_hull(CLI::App& program, Invocation& invocation);
 void add_layers(CLI::App& program, Invocation& invocation);
+void add_help(CLI::App& program, Invocation& invocation);
 
 }  // namespace oblast::app

@@ -3,9 +3,7 @@
 
 #include <memory>
 
-#include "io/picture.h"
-#include "io/staged_output.h"
-#include "io/write_text.h"
+#include "io/picture_file.h"
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/comparison.h"
@@ -34,14 +32,12 @@ struct Arguments {
 int run(const Arguments& arguments, bool json) {
   if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be named only once");
   const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  if (arguments.picture == "-") throw CallError("the table is on standard output; give --svg a file");
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
   const OperandPair pair = read_pair(arguments.a, arguments.b);
   const std::vector<Row> rows = compare_methods(pair, arguments.operation, arguments.options);
-  if (!arguments.picture.empty()) {
-    io::StagedOutput output(arguments.picture, {});
-    io::write_text(output.path(), draw(rows, pair, arguments.operation), arguments.picture);
-    output.commit();
-  }
+  if (!arguments.picture.empty())
+    io::write_picture(arguments.picture, draw(rows, pair, arguments.operation), existing);
   if (json) {
     const nlohmann::ordered_json object{{"command", "compare"},
                                         {"operation", name(arguments.operation)},
@@ -73,7 +69,8 @@ void add_compare(CLI::App& program, Invocation& invocation) {
           "the operation: intersection (default), union, difference or symdifference")
       ->type_name("OP");
   add_call_options(*command, a->options);
-  command->add_option("--svg", a->picture, "also draw a picture with one panel per method")->type_name("PICTURE.svg");
+  command->add_option("--svg,--picture", a->picture, "also draw a picture (.svg or .png) with one panel per method")
+      ->type_name("PICTURE");
   command->add_flag("--overwrite", a->overwrite, "replace an existing picture");
   command->add_flag("--json", invocation.json, "print one JSON object on standard output instead of the table");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });

@@ -45,8 +45,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
 
 std::string operand(const io::DrawnContours& drawn, const char* colour) {
   return fmt::format(
-      "<g fill=\"{0}\" fill-opacity=\"0.4\" fill-rule=\"evenodd\" transform=\"scale(0.1)\">\n{1}<path "
-      "d=\"{2}\"/></g>\n",
+      "<g fill=\"{0}\" fill-opacity=\"0.4\" fill-rule=\"evenodd\" transform=\"scale(0.1)\">\n{1}{2}</g>\n",
       colour, drawn.polygons, drawn.dots);
 }
 
@@ -73,8 +72,8 @@ std::string panel(const Row& row, const io::Frame& frame, const std::string& ope
   text += operands;
   text += fmt::format(
       "<path d=\"{0}\" fill=\"#1a202c\" fill-opacity=\"0.12\" fill-rule=\"evenodd\" stroke=\"#1a202c\" "
-      "stroke-width=\"12\" stroke-linejoin=\"round\" transform=\"scale(0.1)\"/>\n<path d=\"{1}\" fill=\"#1a202c\" "
-      "transform=\"scale(0.1)\"/>\n",
+      "stroke-width=\"12\" stroke-linejoin=\"round\" transform=\"scale(0.1)\"/>\n<g fill=\"#1a202c\" "
+      "transform=\"scale(0.1)\">{1}</g>\n",
       result.outlines, result.dots);
   return text;
 }

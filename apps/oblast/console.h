@@ -6,7 +6,8 @@
 
 namespace oblast::app {
 
-/// A line that is rewritten in place. It prints on a terminal only. Several threads may call it, but one at a time.
+/// A line that is rewritten in place: a bar, what is being done, and the time that is left. It prints on a terminal
+/// only. Several threads may call it, but one at a time.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted = true);
@@ -14,7 +15,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows "what  42 %"; at most ten times a second.
+  /// Shows "[#####     ]  42 %  what, 12 s left"; at most ten times a second. `fraction` is the share of the whole that
+  /// is done. The bar never goes back.
   void show(const std::string& what, double fraction);
   void clear();
 
@@ -22,8 +24,29 @@ class ProgressLine {
   bool shown_ = false;
   bool wanted_;
   std::string last_;
-  std::chrono::steady_clock::time_point when_;
+  double most_ = 0;
+  std::chrono::steady_clock::time_point begin_, when_;
 };
+
+/// The parts of a job from files to files.
+enum class Phase { reading, computing, writing, drawing };
+
+/// One bar over all phases of a job.
+class JobProgress {
+ public:
+  JobProgress(bool wanted, bool with_picture) : line_(wanted), with_picture_(with_picture) {}
+
+  /// `fraction` is the share of the phase that is done.
+  void show(Phase phase, const std::string& what, double fraction);
+  void clear() { line_.clear(); }
+
+ private:
+  ProgressLine line_;
+  bool with_picture_;
+};
+
+/// "12 s", "3 min 20 s", "2 h 5 min": rounded for somebody who waits.
+std::string waiting_time(double seconds);
 
 /// 1234567 as "1,234,567".
 std::string grouped(unsigned long long number);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read.h"
+#include "io/row_measures.h"
 #include "io/write.h"
 #include "oblast/call_options.h"
 #include "oblast/command.h"
@@ -54,8 +55,9 @@ int run(const Arguments& arguments, bool json) {
                                         {"area", signed_area(result)}};
     fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (!arguments.quiet) {
-    fmt::print(stderr, "hull of {} in {}: {} corners, area {:.10g}\n", counted(layer.regions.points.size(), "vertex"),
-               counted(layer.regions.contour_ends.size(), "contour"), result.points.size(), signed_area(result));
+    fmt::print(stderr, "hull of {} in {}: {}, area {}\n", counted(layer.regions.points.size(), "vertex"),
+               counted(layer.regions.contour_ends.size(), "contour"), counted(result.points.size(), "corner"),
+               io::RowMeasures(layer.crs_wkt).area_text(result));
   }
   return exit_done;
 }

@@ -9,7 +9,9 @@
 
 #include "io/crs.h"
 #include "io/picture.h"
+#include "io/picture_file.h"
 #include "io/read.h"
+#include "io/row_measures.h"
 #include "io/write.h"
 #include "oblast/call_options.h"
 #include "oblast/console.h"
@@ -27,25 +29,29 @@ std::string label(const Job& job, std::size_t operand) {
   return operand == 0 ? "A" : "B";
 }
 
-std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, ProgressLine& progress) {
+std::vector<io::Layer> read_operands(const Job& job, const JobArguments& arguments, JobProgress& progress) {
   std::vector<io::Layer> layers;
   for (std::size_t k = 0; k < job.operands.size(); ++k) {
+    const auto show = [&](double share) {
+      progress.show(Phase::reading, "reading " + label(job, k),
+                    (static_cast<double>(k) + share) / static_cast<double>(job.operands.size()));
+    };
+    show(0);
     io::ReadOptions options;
     options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.threads = arguments.options.threads;
     options.progress = [&](std::size_t done, std::size_t files) {
-      progress.show("reading " + label(job, k),
-                    files == 0 ? 1 : static_cast<double>(done) / static_cast<double>(files));
+      show(files == 0 ? 1 : static_cast<double>(done) / static_cast<double>(files));
     };
     layers.push_back(io::read(job.operands[k], options));
   }
   return layers;
 }
 
-RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options options, ProgressLine& progress) {
+RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options options, JobProgress& progress) {
   InterruptFlag watch;
   options.progress = [&](Stage stage, double fraction) {
-    progress.show(name(stage), fraction);
+    progress.show(Phase::computing, plain_name(stage), fraction);
     return !interrupted();
   };
   try {
@@ -81,9 +87,15 @@ void check_call(const std::vector<std::vector<std::string>>& operands, const Job
   if (from_standard_input > 1) throw CallError("standard input (-) can be named only once");
   if (json && arguments.output == "-")
     throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  if (!arguments.picture.empty() && arguments.picture == arguments.output) {
-    throw CallError("--svg and -o name the same file; give them different names");
-  }
+  check_picture_call(arguments.picture, arguments.output, json);
+}
+
+void check_picture_call(const std::string& picture, const std::string& output, bool json) {
+  if (picture.empty()) return;
+  if (picture == "-" && (json || output == "-"))
+    throw CallError(fmt::format("--svg - and {} both write to standard output; give one of them a file",
+                                json ? "--json" : "-o -"));
+  if (picture == output) throw CallError("--svg and -o name the same file; give them different names");
 }
 
 void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b) {
@@ -109,7 +121,10 @@ void draw(const JobPicture& job, const JobArguments& arguments) {
   picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
                       : fmt::format("{} of {}", job.operation, picture.label_a);
   picture.classes = job.classes;
-  io::write_svg(arguments.picture, picture, arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
+  const io::RowMeasures measures(crs);
+  if (!measures.geodesic()) picture.unit = measures.coordinate_unit();
+  io::write_picture(arguments.picture, io::to_svg(picture),
+                    arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
 }
 
 void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
@@ -124,7 +139,7 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
       ->type_name("CONVENTION");
   command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
   add_call_options(command, a->options);
-  command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
+  command.add_option("--svg,--picture", a->picture, picture_option)->type_name("PICTURE");
   command.add_flag("--overwrite", a->overwrite, "replace existing files");
   command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
   command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
@@ -163,7 +178,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, write_options.existing);
 
   Summary summary;
-  ProgressLine progress(!arguments.quiet);
+  JobProgress progress(!arguments.quiet, !arguments.picture.empty());
   const Stopwatch reading;
   const std::vector<io::Layer> layers = read_operands(job, arguments, progress);
   if (layers.size() > 1) check_same_crs("A", layers[0], "B", layers[1]);
@@ -176,7 +191,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   options.collinear = arguments.minimal ? CollinearVertices::drop : CollinearVertices::keep;
   const RegionSet result = compute(job, layers, options, progress);
 
-  progress.show("writing", 0);
+  progress.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
   write_options.crs_wkt = layers[0].crs_wkt.empty() ? layers.back().crs_wkt : layers[0].crs_wkt;
   io::write(arguments.output, result, write_options);
@@ -184,7 +199,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
 
   if (!arguments.picture.empty()) {
     stop_before_more_output();
-    progress.show("drawing", 0);
+    progress.show(Phase::drawing, "drawing", 0);
     const Stopwatch drawing;
     JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union", {}};
     for (const io::Layer& layer : layers) picture.layers.push_back(&layer);
@@ -198,9 +213,8 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
     summary.operands.push_back(summarise(label(job, k), job.operands[k], layers[k]));
   summary.output = arguments.output;
   summary.picture = arguments.picture;
-  summary.crs = io::crs_name(write_options.crs_wkt);
   summary.engine = options.engine;
-  summary.area = signed_area(result);
+  add_measures(summary, result, write_options.crs_wkt, !json && !arguments.quiet);
   summary.seconds_total = total.seconds();
   if (json) {
     fmt::print("{}\n", to_json(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -39,6 +39,12 @@ void check_call(const std::vector<std::vector<std::string>>& operands, const Job
 /// Throws IoError, which names the files, if A and another operand have different coordinate systems.
 void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b);
 
+/// Throws CallError if the picture cannot be where the other output is.
+void check_picture_call(const std::string& picture, const std::string& output, bool json);
+/// What --svg does, for help.
+inline constexpr const char* picture_option =
+    "also draw the operands and the result: a name in .svg or .png, or `-` for SVG on standard output";
+
 /// What a picture shows: the operands, one or two, the result, and its name ("difference").
 struct JobPicture {
   std::vector<const io::Layer*> layers;

@@ -160,7 +160,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
       ->required()
       ->type_name("");
   command->add_option("--prefix", a->prefix, "group the files by the first N characters of their names")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("N");
   command->add_flag_callback(
       "--boxes", [a] { a->rule = LayerRule::boxes; },

@@ -35,6 +35,8 @@ constexpr Word<FillRule::Kind> fills[] = {{"polygons", FillRule::Kind::polygons}
 constexpr Word<ContourConvention> conventions[] = {{"ogc", ContourConvention::ogc},
                                                    {"leonov-nikitin", ContourConvention::leonov_nikitin}};
 constexpr const char* stages[stage_count] = {"collect", "node", "label", "select", "link", "assemble"};
+constexpr const char* plain_stages[stage_count] = {"preparing polygons",     "finding crossings", "telling inside from outside",
+                                                   "choosing the borders", "joining the borders", "building polygons"};
 
 template <class Value, std::size_t count>
 Value parse(const std::string& word, const Word<Value> (&words)[count], const char* what,
@@ -82,6 +84,7 @@ std::string name(FeatureOperation operation) { return word_of(operation, feature
 std::string name(Engine engine) { return word_of(engine, engines); }
 std::string name(ContourConvention convention) { return word_of(convention, conventions); }
 std::string name(Stage stage) { return stages[static_cast<int>(stage)]; }
+std::string plain_name(Stage stage) { return plain_stages[static_cast<int>(stage)]; }
 std::string name(const FillRule& rule) {
   if (rule.kind == FillRule::Kind::at_least) return fmt::format("atleast:{}", rule.depth);
   return word_of(rule.kind, fills);

@@ -22,6 +22,8 @@ std::string name(Engine engine);
 std::string name(const FillRule& rule);
 std::string name(ContourConvention convention);
 std::string name(Stage stage);
+/// What the stage does, for somebody who waits: "finding crossings".
+std::string plain_name(Stage stage);
 
 /// The operation of two regions with the same name; none for identity.
 std::optional<Operation> merged_operation(FeatureOperation operation);

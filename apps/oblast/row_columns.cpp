@@ -28,7 +28,7 @@ std::vector<std::size_t> selected(const io::AttributeTable& table, const std::ve
   return columns;
 }
 
-void check_column(const std::string& name, const std::vector<io::Rows>& layers) {
+void check_column(const std::string& name, std::span<const io::Rows> layers) {
   std::string known, files;
   for (const io::Rows& layer : layers) {
     if (layer.table.find(name)) return;

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "io/crs.h"
-#include "io/picture.h"
+#include "io/picture_file.h"
 #include "io/row_measures.h"
 #include "io/write_rows.h"
 #include "oblast/interrupt.h"
@@ -66,10 +66,10 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
       arguments_(arguments),
       row_arguments_(row_arguments),
       json_(json),
-      progress_(!arguments.quiet) {
+      progress_(!arguments.quiet, !arguments.picture.empty()) {
   check_call(paths_of(inputs_), arguments_, json);
   if (!row_arguments_.colour.empty() && arguments_.picture.empty())
-    throw CallError("--colour is for pictures; add --svg PICTURE.svg");
+    throw CallError("--colour is for pictures; add --svg PICTURE");
   const char* const instead = inputs_.size() > 1 ? "add --merge" : "leave out --source";
   check_fill(arguments_.fill, "--fill", instead);
   if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b", instead);
@@ -79,12 +79,16 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
 
   const Stopwatch reading;
   for (const RowInput& input : inputs_) {
+    const auto show = [&, before = static_cast<double>(layers_.size())](double share) {
+      progress_.show(Phase::reading, "reading " + input.label, (before + share) / static_cast<double>(inputs_.size()));
+    };
+    show(0);
     io::ReadOptions options;
     options.other = arguments_.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.where = input.where.value_or(row_arguments_.where);
     options.threads = arguments_.options.threads;
     options.progress = [&](std::size_t done, std::size_t files) {
-      progress_.show("reading " + input.label, static_cast<double>(done) / static_cast<double>(std::max(files, done)));
+      show(static_cast<double>(done) / static_cast<double>(std::max(files, done)));
     };
     layers_.push_back(io::read_rows(input.paths, options, notes_));
     const io::Layer& layer = layers_.back().layer;
@@ -104,7 +108,7 @@ void RowJob::compute(const std::function<void(const Options&)>& run) {
   options.collinear = arguments_.minimal ? CollinearVertices::drop : CollinearVertices::keep;
   InterruptFlag watch;
   options.progress = [&](Stage stage, double fraction) {
-    progress_.show(name(stage), fraction);
+    progress_.show(Phase::computing, plain_name(stage), fraction);
     return !interrupted();
   };
   try {
@@ -128,7 +132,7 @@ void RowJob::add_measures(const FeatureView& rows, ResultColumns& columns) {
         throw CallError(fmt::format("there is a column {} already; choose another name for the measure", column));
     }
     columns.add(column, values);
-    units_.push_back(fmt::format("{} is in {}", column, unit));
+    units_.push_back(fmt::format("column {} is in {}", column, unit));
   };
   if (!row_arguments_.area.empty()) add(row_arguments_.area, measures.area_unit(), measures.areas(rows));
   if (!row_arguments_.perimeter.empty())
@@ -158,13 +162,13 @@ void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, co
 int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture) {
   add_measures(rows, columns);
   check_colour(columns);
-  progress_.show("writing", 0);
+  progress_.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
   io::write_rows(arguments_.output, rows, columns.columns, write_options(arguments_, crs_wkt_), notes_);
   summary_.seconds_write = writing.seconds();
   if (!arguments_.picture.empty()) {
     stop_before_more_output();
-    progress_.show("drawing", 0);
+    progress_.show(Phase::drawing, "drawing", 0);
     const Stopwatch drawing;
     draw_rows(rows, columns, picture);
     summary_.seconds_picture = drawing.seconds();
@@ -188,12 +192,11 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
     summary_.operands.push_back(summarise(inputs_[k].label, inputs_[k].paths, layers_[k].layer));
   summary_.output = arguments_.output;
   summary_.picture = arguments_.picture;
-  summary_.crs = io::crs_name(crs_wkt_);
   summary_.rows = rows.feature_count();
   summary_.columns = columns;
   summary_.notes = notes_;
   summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
-  summary_.area = signed_area(rows.regions);
+  app::add_measures(summary_, rows.regions, crs_wkt_, !json_ && !arguments_.quiet);
   summary_.seconds_total = total_.seconds();
   if (json_) {
     fmt::print("{}\n", to_json(summary_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

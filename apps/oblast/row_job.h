@@ -85,7 +85,7 @@ class RowJob {
   JobArguments arguments_;
   RowArguments row_arguments_;
   bool json_;
-  ProgressLine progress_;
+  JobProgress progress_;
   Summary summary_;
   std::vector<std::string> notes_;  // what the file does not hold as it was given
   std::vector<std::string> units_;  // of the measures
@@ -96,6 +96,6 @@ class RowJob {
 /// The columns of a table that --select names; all if it is empty.
 std::vector<std::size_t> selected(const io::AttributeTable& table, const std::vector<std::string>& select);
 /// Throws IoError, which lists the columns there are, if none of the tables has a column of this name.
-void check_column(const std::string& name, const std::vector<io::Rows>& layers);
+void check_column(const std::string& name, std::span<const io::Rows> layers);
 
 }  // namespace oblast::app

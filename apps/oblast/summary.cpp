@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/crs.h"
+#include "io/row_measures.h"
 #include "oblast/console.h"
 #include "oblast/names.h"
 
@@ -68,6 +70,14 @@ Json to_json(const OperandSummary& operand) {
 
 }  // namespace
 
+void add_measures(Summary& summary, const RegionView& regions, const std::string& crs_wkt, bool text) {
+  const io::RowMeasures measures(crs_wkt);
+  summary.crs = io::crs_name(crs_wkt);
+  summary.unit = measures.coordinate_unit();
+  summary.area = signed_area(regions);
+  if (text) summary.area_text = measures.area_text(regions);
+}
+
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer) {
   const RegionView view = layer.regions;
   return {
@@ -87,11 +97,10 @@ std::string to_text(const Summary& summary) {
   const std::string rows = summary.rows ? counted(*summary.rows, "row") + ", " : "";
   text += line("result", fmt::format("{}{}, {}, {}", rows, counted(s.output_polygons, "polygon"),
                                      counted(s.output_contours, "contour"), counted(s.output_vertices, "vertex")));
-  text += line(
-      "area", fmt::format("{:.10g} square units of the coordinates; coordinate system: {}", summary.area, summary.crs));
-  text += line("noding",
-               fmt::format("{}, {}, largest displacement {:.3g} ({:.2f} ulp)", counted(s.intersections, "intersection"),
-                           counted(s.rounds, "round"), s.largest_displacement, s.largest_displacement_ulps));
+  text += line("area", fmt::format("{}; coordinate system: {}", summary.area_text, summary.crs));
+  text += line("noding", fmt::format("{}, {}, largest displacement {:.3g} {} ({:.2f} ulp)",
+                                     counted(s.intersections, "intersection"), counted(s.rounds, "round"),
+                                     s.largest_displacement, summary.unit, s.largest_displacement_ulps));
   if (s.resolved_polygons)
     text += line("", counted(s.resolved_polygons, "polygon") + " with rings that meet; resolved first");
   text += line("time", stage_times(summary));
@@ -118,7 +127,8 @@ Json to_json(const Summary& summary) {
                {{"polygons", s.output_polygons},
                 {"contours", s.output_contours},
                 {"vertices", s.output_vertices},
-                {"area", summary.area}}},
+                {"area", summary.area},
+                {"area_unit", "square " + summary.unit}}},
               {"intersections", s.intersections},
               {"rounds", s.rounds},
               {"largest_displacement", s.largest_displacement},

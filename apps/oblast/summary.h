@@ -34,11 +34,16 @@ struct Summary {
   std::uint64_t columns = 0;          ///< of its table
   std::vector<std::string> notes;     ///< on its columns
   double area = 0;                    ///< of all rows together, in squared units of the coordinates
+  std::string area_text;              ///< the same for a reader; made only if the summary is shown as text
+  std::string unit = "units";         ///< of the coordinates: "degrees", "m"
   double seconds_read = 0;
   double seconds_write = 0;
   double seconds_picture = 0;
   double seconds_total = 0;
 };
+
+/// Sets the parts of the summary that depend on the coordinate system. `text` is false if only JSON will be shown.
+void add_measures(Summary& summary, const RegionView& regions, const std::string& crs_wkt, bool text);
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer);
 

@@ -50,10 +50,10 @@ RegionSet polygons_of(const Triangulation& triangulation) {
   return polygons;
 }
 
-Triangulation compute(const io::Layer& layer, TriangulateOptions options, ProgressLine& progress) {
+Triangulation compute(const io::Layer& layer, TriangulateOptions options, JobProgress& progress) {
   InterruptFlag watch;
   options.progress = [&](Stage stage, double fraction) {
-    progress.show(name(stage), fraction);
+    progress.show(Phase::computing, plain_name(stage), fraction);
     return !interrupted();
   };
   try {
@@ -88,7 +88,8 @@ int run(const Arguments& arguments, bool json) {
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   io::check_writable(arguments.output, write_options);
 
-  ProgressLine progress(!arguments.quiet);
+  JobProgress progress(!arguments.quiet, false);
+  progress.show(Phase::reading, "reading", 0);
   io::ReadOptions read_options;
   read_options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
   const io::Layer layer = io::read(arguments.inputs, read_options);
@@ -96,7 +97,7 @@ int run(const Arguments& arguments, bool json) {
   options.extent = arguments.hull ? TriangleExtent::convex_hull : TriangleExtent::interior;
   const Triangulation triangulation = compute(layer, options, progress);
 
-  progress.show("writing", 0);
+  progress.show(Phase::writing, "writing", 0);
   write_options.crs_wkt = layer.crs_wkt;
   // The unsigned value `none` becomes -1.
   const std::vector<std::int32_t> numbers(triangulation.polygon.begin(), triangulation.polygon.end());

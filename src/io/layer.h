@@ -16,6 +16,11 @@ class IoError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// An input that is not there or must not be read: the call is wrong, not the data (exit code 2).
+class CannotOpen : public IoError {
+  using IoError::IoError;
+};
+
 /// The polygons of one feature of one file.
 struct FeatureRange {
   std::uint32_t first_polygon = 0;  ///< the polygons end where those of the next feature begin

@@ -2,6 +2,7 @@
 #include "io/paths.h"
 
 #include <gdal_priv.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -51,7 +52,7 @@ std::vector<std::string> vector_files_in(const std::string& folder) {
     if (name.front() == '.' || it->is_directory(error)) continue;
     files.push_back(it->path());
   }
-  if (error) throw IoError("cannot read the folder " + folder + ": " + error.message());
+  if (error) throw CannotOpen("cannot read the folder " + folder + ": " + error.message());
   refuse_headless_shapefiles(files);
 
   std::vector<std::string> found;
@@ -73,8 +74,10 @@ std::vector<std::string> expand_paths(std::span<const std::string> paths) {
     const fs::file_status status = fs::status(path, error);
     if (path == "-" || path.starts_with("/vsi")) {
       files.push_back(path);
-    } else if (!fs::exists(status)) {
-      throw IoError("no such file or folder: " + path);
+    } else if (status.type() == fs::file_type::not_found) {
+      throw CannotOpen("no such file or folder: " + path);
+    } else if (error || ::access(path.c_str(), R_OK) != 0) {
+      throw CannotOpen("cannot read " + path + ": " + (error ? error.message() : std::strerror(errno)));
     } else if (fs::is_directory(status) && lower_extension(path) != ".gdb") {
       const auto found = vector_files_in(path);
       files.insert(files.end(), found.begin(), found.end());
@@ -92,7 +95,7 @@ std::string read_text(const std::string& path) {
     if (f != stdin) std::fclose(f);
   };
   std::unique_ptr<std::FILE, decltype(close)> file(path == "-" ? stdin : std::fopen(path.c_str(), "rb"), close);
-  if (!file) throw IoError("cannot open " + path + ": " + std::strerror(errno));
+  if (!file) throw CannotOpen("cannot read " + path + ": " + std::strerror(errno));
   std::string text;
   constexpr std::size_t chunk = 1 << 20;
   for (;;) {

@@ -8,61 +8,32 @@
 //     +--------------------------------------------+
 //     | the window marked above, enlarged          |
 //     +--------------------------------------------+
+//     note on what is not drawn as it is
+//
+// The operands are pale, and the result lies on them in a strong colour. So the answer is seen in every operation, also
+// where it has the same outlines as an operand.
 #include "io/picture.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <vector>
 
-#include "io/layer.h"
 #include "io/picture_axes.h"
 #include "io/picture_contours.h"
 #include "io/picture_frame.h"
-#include "io/staged_output.h"
-#include "io/write_text.h"
+#include "io/picture_header.h"
+#include "io/picture_text.h"
 
 namespace oblast::io {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr double page_width = 1200, margin_left = 60, margin_right = 20, header = 74, footer = 30, gap = 34;
+constexpr double footer = 46, gap = 34;
 constexpr double tallest_panel = 820;
 constexpr std::size_t bytes_of_classes = 1'400'000;  // in one panel
-constexpr const char* colour_a = "#2b6cb0";
-constexpr const char* colour_b = "#dd6b20";
-constexpr const char* colour_result = "#1a202c";
 constexpr const char* colour_zoom = "#c53030";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (static_cast<unsigned char>(c) < 0x20)
-      result += ' ';
-    else
-      result += c;
-  }
-  return result;
-}
-
-std::string grouped(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return digits;
-}
 
 struct Panels {
   Frame main;
@@ -71,7 +42,7 @@ struct Panels {
 };
 
 // The panels for data of this extent. The enlarged panel is below wide data and beside tall data.
-Panels lay_out(const Picture& picture, const Window& window) {
+Panels lay_out(const Picture& picture, const Window& window, double header) {
   double squeeze = 1;
   if (picture.projection == MapProjection::longitude_latitude) {
     const double latitude = std::clamp(window.y0 / 2 + window.y1 / 2, -85.0, 85.0);
@@ -104,23 +75,20 @@ Panels lay_out(const Picture& picture, const Window& window) {
 }
 
 struct Style {
-  const char* colour;
+  const char* fill;
   double opacity;
+  const char* stroke;
+  double stroke_width;  // pixels; 0: none
 };
 
-std::string draw_operand(const DrawnContours& drawn, const Style& style) {
-  return fmt::format(
-      "<g fill=\"{0}\" fill-opacity=\"{1}\" fill-rule=\"evenodd\" transform=\"scale(0.1)\">\n{2}</g>\n"
-      "<path d=\"{3}\" fill=\"{0}\" fill-opacity=\"{1}\" transform=\"scale(0.1)\"/>\n",
-      style.colour, style.opacity, drawn.polygons, drawn.dots);
-}
-
-std::string draw_result(const DrawnContours& drawn, double stroke) {
-  return fmt::format(
-      "<path d=\"{0}\" fill=\"none\" stroke=\"{1}\" stroke-width=\"{2:.0f}\" stroke-linejoin=\"round\" "
-      "transform=\"scale(0.1)\"/>\n"
-      "<path d=\"{3}\" fill=\"{1}\" fill-opacity=\"0.8\" transform=\"scale(0.1)\"/>\n",
-      drawn.outlines, colour_result, stroke * 10, drawn.dots);
+// Contours that are larger than a pixel in one group, the rest as dots.
+std::string draw_filled(const DrawnContours& drawn, const Style& style) {
+  const std::string stroke =
+      style.stroke_width > 0 ? fmt::format("stroke=\"{}\" stroke-width=\"{:.0f}\" stroke-linejoin=\"round\"",
+                                           style.stroke, style.stroke_width * 10)
+                             : "stroke=\"none\"";
+  return fmt::format("<g fill=\"{}\" fill-opacity=\"{}\" fill-rule=\"evenodd\" {} transform=\"scale(0.1)\">\n{}{}</g>\n",
+                     style.fill, style.opacity, stroke, drawn.polygons, drawn.dots);
 }
 
 struct DrawnPanel {
@@ -129,7 +97,8 @@ struct DrawnPanel {
   std::uint64_t left_out = 0;
 };
 
-DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::string& clip, double stroke) {
+// `line` is the width of outlines in pixels; 0 where edges are too short to be seen, and would make a dark blot.
+DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::string& clip, double line) {
   const Box& box = frame.box;
   DrawnPanel panel;
   panel.text = fmt::format(
@@ -137,27 +106,21 @@ DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::str
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#fbfbf8\"/>\n<g "
       "clip-path=\"url(#{})\">\n",
       clip, box.left, box.top, box.width, box.height, box.left, box.top, box.width, box.height, clip);
-  const auto count = [&](const DrawnContours& drawn) {
+  const auto add = [&](const RegionView& view, double dot, const Style& style, std::size_t most_bytes) {
+    const DrawnContours drawn = draw_contours(view, frame, DrawAs::polygons, dot, most_bytes);
     panel.gathered += drawn.gathered;
     panel.left_out += drawn.left_out;
+    if (drawn.drawn + drawn.gathered > 0) panel.text += draw_filled(drawn, style);
   };
-  const double opacity = picture.b.points.empty() ? 0.35 : 0.45;
-  for (const PictureClass& rows : picture.classes) {
-    const DrawnContours drawn =
-        draw_contours(rows.regions, frame, DrawAs::polygons, 2, bytes_of_classes / picture.classes.size());
-    count(drawn);
-    panel.text += draw_operand(drawn, {rows.colour.c_str(), 0.9});
-  }
-  const DrawnContours result = draw_contours(picture.result, frame, DrawAs::outlines, 1);
-  count(result);
+  for (const PictureClass& rows : picture.classes)
+    add(rows.regions, 2, {rows.colour.c_str(), 0.9, "#fff", line / 2}, bytes_of_classes / picture.classes.size());
+  constexpr std::size_t bytes_of_regions = 650'000;
   if (picture.classes.empty()) {
-    const DrawnContours a = draw_contours(picture.a, frame, DrawAs::polygons, 2);
-    const DrawnContours b = draw_contours(picture.b, frame, DrawAs::polygons, 2);
-    for (const DrawnContours* drawn : {&a, &b}) count(*drawn);
-    panel.text += draw_operand(a, {colour_a, opacity});
-    if (!picture.b.points.empty()) panel.text += draw_operand(b, {colour_b, opacity});
+    add(picture.a, 2, {colour_a, 0.25, colour_a, line / 2}, bytes_of_regions);
+    add(picture.b, 2, {colour_b, 0.25, colour_b, line / 2}, bytes_of_regions);
+    add(picture.result, 2, {colour_result, 0.75, colour_result_edge, line}, bytes_of_regions);
   }
-  panel.text += draw_result(result, stroke) + "</g>\n" + draw_axes(frame) + draw_scale_bar(frame, picture.projection);
+  panel.text += "</g>\n" + draw_axes(frame) + draw_scale_bar(frame, picture.projection, picture.unit);
   return panel;
 }
 
@@ -180,47 +143,17 @@ std::string mark_zoom(const Frame& main, const Frame& zoom) {
       label_left ? "end" : "start", zoom.box.left, zoom.box.top, zoom.box.width, zoom.box.height, colour_zoom);
 }
 
-std::string legend_entry(double& x, const std::string& swatch, const std::string& label, const RegionView& view) {
-  const std::string text =
-      fmt::format("{}: {} contours, {} vertices", label, grouped(view.contour_count()), grouped(view.points.size()));
-  const std::string entry =
-      fmt::format("<rect x=\"{:.0f}\" y=\"46\" width=\"18\" height=\"13\" {}/><text x=\"{:.0f}\" y=\"57\">{}</text>\n",
-                  x, swatch, x + 25, escaped(text));
-  x += 60 + 7.0 * static_cast<double>(text.size());
-  return entry;
-}
-
-std::string draw_classes_legend(const std::vector<PictureClass>& classes) {
-  double x = margin_left;
-  std::string text = "<g font-size=\"13\">";
-  for (const PictureClass& rows : classes) {
-    text += fmt::format(
-        "<rect x=\"{:.0f}\" y=\"46\" width=\"18\" height=\"13\" fill=\"{}\"/><text x=\"{:.0f}\" y=\"57\">{}</text>\n",
-        x, rows.colour, x + 24, escaped(rows.label));
-    x += 44 + 7.0 * static_cast<double>(rows.label.size());
-  }
-  return text + "</g>\n";
-}
-
-std::string draw_legend(const Picture& picture) {
-  if (!picture.classes.empty()) return draw_classes_legend(picture.classes);
-  double x = margin_left;
-  std::string text = "<g font-size=\"13\">";
-  text += legend_entry(x, fmt::format("fill=\"{}\" fill-opacity=\"0.5\"", colour_a), picture.label_a, picture.a);
-  if (!picture.b.points.empty()) {
-    text += legend_entry(x, fmt::format("fill=\"{}\" fill-opacity=\"0.5\"", colour_b), picture.label_b, picture.b);
-  }
-  text += legend_entry(x, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"", colour_result),
-                       picture.label_result, picture.result);
-  return text + "</g>\n";
-}
-
-std::string draw_note(const DrawnPanel& panel) {
+std::string draw_note(const DrawnPanel& panel, double page_height) {
   std::string note;
-  if (panel.gathered) note += grouped(panel.gathered) + " contours below a pixel are shown as dots";
-  if (panel.left_out) note += (note.empty() ? "" : "; ") + grouped(panel.left_out) + " polygons were too many to draw";
-  return fmt::format("<text x=\"{:.0f}\" y=\"28\" font-size=\"12\" fill=\"#777\" text-anchor=\"end\">{}</text>\n",
-                     page_width - margin_right, note);
+  if (panel.gathered)
+    note = counted_in_picture(panel.gathered, "contour", "contours") +
+           " below a pixel: the stronger the colour, the more of the place is covered";
+  if (panel.left_out)
+    note += (note.empty() ? "" : "; ") + counted_in_picture(panel.left_out, "polygon", "polygons") +
+            " left out, because the picture would become too large";
+  if (note.empty()) return {};
+  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"12\" fill=\"#555\">{}</text>\n", margin_left,
+                     page_height - 10, note);
 }
 
 }  // namespace
@@ -229,38 +162,16 @@ std::string to_svg(const Picture& picture) {
   std::vector<RegionView> views{picture.a, picture.b, picture.result};
   for (const PictureClass& rows : picture.classes) views.push_back(rows.regions);
   const Window window = extent(views).value_or(Window{0, 0, 1, 1});
-  const Panels panels = lay_out(picture, window);
+  const PictureHeader header = draw_header(picture);
+  const Panels panels = lay_out(picture, window, header.height);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "font-family=\"Helvetica, Arial, sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       page_width, panels.page_height);
-  text += fmt::format("<text x=\"{:.0f}\" y=\"30\" font-size=\"20\" font-weight=\"bold\">{}</text>\n", margin_left,
-                      escaped(picture.title));
-  text += draw_legend(picture);
-  const DrawnPanel main = draw_panel(picture, panels.main, "main", 1);
-  text += main.text + draw_note(main);
-  if (panels.zoom) text += draw_panel(picture, *panels.zoom, "zoom", 1.4).text + mark_zoom(panels.main, *panels.zoom);
+  const DrawnPanel main = draw_panel(picture, panels.main, "main", panels.zoom ? 0 : 1);
+  text += header.text + main.text + draw_note(main, panels.page_height);
+  if (panels.zoom) text += draw_panel(picture, *panels.zoom, "zoom", 1.2).text + mark_zoom(panels.main, *panels.zoom);
   return text + "</svg>\n";
-}
-
-void check_picture_writable(const std::string& path, Existing existing) {
-  std::error_code error;
-  const fs::path parent = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-  if (!fs::is_directory(parent, error))
-    throw IoError("cannot write " + path + ": there is no folder " + parent.string() + "; create it first");
-  if (fs::is_directory(path, error)) throw IoError("cannot write " + path + ": it is a folder");
-  if (existing == Existing::refuse && fs::exists(fs::symlink_status(path, error))) {
-    throw IoError(path + " exists already (--overwrite replaces it)");
-  }
-  if (::access(parent.c_str(), W_OK | X_OK) != 0)
-    throw IoError("cannot write into " + parent.string() + ": " + std::strerror(errno));
-}
-
-void write_svg(const std::string& path, const Picture& picture, Existing existing) {
-  check_picture_writable(path, existing);
-  StagedOutput stage(path, {});
-  write_text(stage.path(), to_svg(picture), path);
-  stage.commit();
 }
 
 }  // namespace oblast::io

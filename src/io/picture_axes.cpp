@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "io/picture_text.h"
+
 namespace oblast::io {
 
 namespace {
@@ -55,17 +57,15 @@ std::string draw_axes(const Frame& frame) {
   return text + "</g>\n" + labels + "</g>\n";
 }
 
-std::string draw_scale_bar(const Frame& frame, MapProjection projection) {
-  const bool kilometres = projection == MapProjection::longitude_latitude;
-  const double unit = kilometres ? frame.y_scale / km_per_degree : frame.y_scale;  // pixels
-  const double length = round_length(160 / unit);
-  const double pixels = length * unit;
-  std::string name;
-  if (!kilometres) {
-    name = fmt::format("{:g}", length);
-  } else {
-    name = length < 1 ? fmt::format("{:g} m", length * 1000) : fmt::format("{:g} km", length);
-  }
+std::string draw_scale_bar(const Frame& frame, MapProjection projection, const std::string& unit) {
+  const bool globe = projection == MapProjection::longitude_latitude;
+  const bool metric = globe || unit == "m";
+  const double pixels_of_a_unit = globe ? frame.y_scale / km_per_degree / 1000 : frame.y_scale;
+  const double length = round_length(160 / pixels_of_a_unit);
+  const double pixels = length * pixels_of_a_unit;
+  const bool kilometres = metric && length >= 1000;
+  const std::string name =
+      fmt::format("{:g} {}", kilometres ? length / 1000 : length, kilometres ? "km" : metric ? "m" : escaped(unit == "units" && length == 1 ? "unit" : unit));
   const double right = frame.box.left + frame.box.width - 14, y = frame.box.top + frame.box.height - 14;
   return fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"28\" rx=\"3\" fill=\"#fff\" fill-opacity=\"0.85\"/>"

@@ -4,12 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <vector>
 
 namespace oblast::io {
 
 namespace {
+
+// Opacity of a dot by the share of it that is covered; a lone speck stays visible.
+struct Density {
+  double least_share;
+  double opacity;
+};
+constexpr Density densities[] = {{0, 0.45}, {0.15, 0.6}, {0.35, 0.75}, {0.6, 0.9}, {0.85, 1}};
 
 constexpr double clip_margin = 5;  // pixels beyond the panel; the edges made by clipping are invisible there
 
@@ -69,6 +77,17 @@ class Drawing {
  private:
   std::size_t size() const { return result_.polygons.size() + result_.outlines.size(); }
 
+  // The area of the contour in square pixels. A hole below a pixel counts, too: it is rare.
+  double covered() const {
+    double sum = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const Point& p = points_[k == 0 ? points_.size() - 1 : k - 1];
+      const Point& q = points_[k];
+      sum += (p.x - points_[0].x) * (q.y - points_[0].y) - (q.x - points_[0].x) * (p.y - points_[0].y);
+    }
+    return std::fabs(sum) / 2;
+  }
+
   void draw(std::uint32_t contour, std::string& path) {
     const double left = frame_.box.left - clip_margin, right = frame_.box.left + frame_.box.width + clip_margin;
     const double top = frame_.box.top - clip_margin, bottom = frame_.box.top + frame_.box.height + clip_margin;
@@ -82,7 +101,7 @@ class Drawing {
     }
     if (points_.empty() || x1 < left || x0 > right || y1 < top || y0 > bottom) return;
     if (x1 - x0 < smallest_ && y1 - y0 < smallest_) {
-      gather((x0 + x1) / 2, (y0 + y1) / 2);
+      gather((x0 + x1) / 2, (y0 + y1) / 2, covered());
       return;
     }
     if (x0 < left) clip_side(points_, scratch_, &Point::x, &Point::y, left, 1), points_.swap(scratch_);
@@ -91,7 +110,7 @@ class Drawing {
     if (y1 > bottom) clip_side(points_, scratch_, &Point::y, &Point::x, bottom, -1), points_.swap(scratch_);
     snap();
     if (snapped_.size() < 3) {
-      gather((x0 + x1) / 2, (y0 + y1) / 2);
+      gather((x0 + x1) / 2, (y0 + y1) / 2, covered());
       return;
     }
     ++result_.drawn;
@@ -132,27 +151,40 @@ class Drawing {
     path += 'z';
   }
 
-  void gather(double x, double y) {
+  void gather(double x, double y, double area) {
     ++result_.gathered;
-    ++dots_[{static_cast<std::int64_t>(std::floor(y / dot_)), static_cast<std::int64_t>(std::floor(x / dot_))}];
+    dots_[{static_cast<std::int64_t>(std::floor(y / dot_)), static_cast<std::int64_t>(std::floor(x / dot_))}] += area;
   }
 
-  // Adjacent dots in a row become one rectangle.
+  std::size_t density_of(double area) const {
+    std::size_t density = 0;
+    while (density + 1 < std::size(densities) && area / (dot_ * dot_) >= densities[density + 1].least_share) ++density;
+    return density;
+  }
+
+  // Adjacent dots of the same density in a row become one rectangle.
   void draw_dots() {
     const auto side = static_cast<std::int64_t>(std::round(dot_ * 10));
-    std::string& path = result_.dots;
+    std::string paths[std::size(densities)];
     for (auto run = dots_.begin(); run != dots_.end();) {
+      const std::size_t density = density_of(run->second);
       auto end = std::next(run);
       std::int64_t length = 1;
       while (end != dots_.end() && end->first.first == run->first.first &&
-             end->first.second == run->first.second + length) {
+             end->first.second == run->first.second + length && density_of(end->second) == density) {
         ++end;
         ++length;
       }
+      std::string& path = paths[density];
       path += 'M' + std::to_string(run->first.second * side) + ' ' + std::to_string(run->first.first * side);
       path += 'h' + std::to_string(length * side) + 'v' + std::to_string(side) + 'h' + std::to_string(-length * side) +
               "z\n";
       run = end;
+    }
+    for (std::size_t i = 0; i < std::size(densities); ++i) {
+      if (paths[i].empty()) continue;
+      result_.dots += "<path stroke=\"none\" opacity=\"" + std::to_string(densities[i].opacity).substr(0, 4) +
+                      "\" d=\"" + paths[i] + "\"/>\n";
     }
   }
 
@@ -164,7 +196,7 @@ class Drawing {
   double step_, smallest_;
   std::vector<Point> points_, scratch_;
   std::vector<Snapped> snapped_;
-  std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> dots_;  // (row, column)
+  std::map<std::pair<std::int64_t, std::int64_t>, double> dots_;  // (row, column): covered, in square pixels
   DrawnContours result_;
 };
 

@@ -15,7 +15,8 @@ namespace oblast::io {
 struct DrawnContours {
   std::string polygons;        ///< `<path .../>` for each polygon (each even-odd of its own contours)
   std::string outlines;        ///< the same contours as the data of one path
-  std::string dots;            ///< path data: squares where contours below a pixel lie
+  /// `<path .../>` elements: squares where contours below a pixel lie, the more opaque the more of them they cover.
+  std::string dots;
   std::uint64_t drawn = 0;     ///< contours drawn as they are
   std::uint64_t gathered = 0;  ///< contours shown as dots
   std::uint64_t left_out = 0;  ///< contours that would have made the picture too large

@@ -24,7 +24,8 @@ struct OutputFiles {
 
 class StagedOutput {
  public:
-  /// Throws IoError if the target's folder is not writable.
+  /// Removes what killed programs left of earlier outputs to this target. Throws IoError if the target's folder is not
+  /// writable.
   StagedOutput(const std::string& target, OutputFiles files);
   /// Removes the stage with everything in it.
   ~StagedOutput();
@@ -42,6 +43,7 @@ class StagedOutput {
   std::string target_;
   OutputFiles files_;
   std::string path_;
+  int lock_ = -1;  // the stage, opened and locked while it is used
   UnfinishedOutput* unfinished_ = nullptr;
 };
 

@@ -87,7 +87,7 @@ TEST_F(OverlayRows, SelectKeepsTheColumnsNamed) {
 TEST_F(OverlayRows, MeasuresAreColumnsWithTheirUnits) {
   const ProgramRun done = run("intersection", {"--select", "n", "--area", "m2", "--perimeter", "m", "--json"});
   EXPECT_EQ(done.err, "");
-  EXPECT_TRUE(contains(done.out, "m2 is in squared units of the coordinates (metre)")) << done.out;
+  EXPECT_TRUE(contains(done.out, "column m2 is in m2")) << done.out;
   EXPECT_EQ(rows_of(folder_.path("out.geojson")).rows, (Lines{"n=1 m2=2 m=6 area=2", "n=2 m2=2 m=6 area=2"}));
   EXPECT_EQ(run("union", {"--area", "n"}).code, 2);
 }
@@ -98,7 +98,7 @@ TEST_F(OverlayRows, AreaOfLongitudesAndLatitudesIsOnTheEllipsoid) {
   write_file(folder_ / "degrees.geojson", R"({"type":"FeatureCollection","features":[)" + feature + "]}");
   const ProgramRun done =
       oblast_program({"dissolve", folder_.path("degrees.geojson"), "-o", folder_.path("d.geojson"), "--area", "m2"});
-  EXPECT_TRUE(contains(done.err, "square metres on the ellipsoid")) << done.err;
+  EXPECT_TRUE(contains(done.err, " is in m2 on the ellipsoid")) << done.err;
   const std::string row = rows_of(folder_.path("d.geojson")).rows.at(0);
   EXPECT_NEAR(std::stod(row.substr(row.find("m2=") + 3)), 110574.0 * 111320.0 * 0.99995, 5e5) << row;
 }

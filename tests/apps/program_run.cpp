@@ -1,6 +1,7 @@
 // fork, exec, pipes.
 #include "apps/program_run.h"
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -83,6 +84,37 @@ std::vector<std::string> Folder::names() const {
 
 ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input) {
   return start(arguments, input, Interrupt::never);
+}
+
+ProgramRun program_on_terminal(const std::vector<std::string>& arguments) {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("posix_openpt");
+  const std::string name = ::ptsname(terminal);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (!std::freopen("/dev/null", "r", stdin) || !std::freopen("/dev/null", "w", stdout)) ::_exit(126);
+    const int screen = ::open(name.c_str(), O_RDWR | O_NOCTTY);
+    ::dup2(screen, STDERR_FILENO);
+    std::vector<char*> words{const_cast<char*>("oblast")};
+    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    ::execv(OBLAST_PROGRAM, words.data());
+    ::_exit(127);
+  }
+  ProgramRun run;
+  char bytes[4096];
+  // The terminal is read until the last program that has it open ends; that is an error (EIO) on Linux.
+  const int keep_open = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  std::thread reader([&] {
+    for (ssize_t got; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) run.err.append(bytes, static_cast<std::size_t>(got));
+  });
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(keep_open);
+  reader.join();
+  ::close(terminal);
+  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return run;
 }
 
 ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input) {

@@ -34,6 +34,9 @@ class Folder {
 /// Runs `oblast ARGUMENTS` with `input` on its standard input.
 ProgramRun oblast_program(const std::vector<std::string>& arguments, const std::string& input = {});
 
+/// Runs `oblast ARGUMENTS` with a terminal as its standard error; `err` is all that the terminal got.
+ProgramRun program_on_terminal(const std::vector<std::string>& arguments);
+
 /// Writes `input` without closing it, and sends SIGINT after the program has read most of it.
 ProgramRun interrupted_program(const std::vector<std::string>& arguments, const std::string& input);
 
