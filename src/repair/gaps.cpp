@@ -1,8 +1,15 @@
 // Step 2 of repair_coverage: enclosed pieces that no feature covers.
 //
-// The holes of the union of all pieces, without what of the union lies in them, are the gaps. All vertices of the pieces
-// are vertices of the union where they lie on its boundary, so gaps and pieces have identical edges.
+//   +-----------+    A frame around everything, without the pieces, falls into polygons: one outside of all pieces, and
+//   |  aabbbbb  |    the gaps (g). Pieces that touch at points enclose a gap, too. All vertices of the pieces on its
+//   |  aaggccc  |    border are vertices of a gap, so gaps and pieces have identical edges.
+//   +-----------+
+#include <oblast/domain.h>
+#include <oblast/measure.h>
 #include <oblast/overlay.h>
+
+#include <algorithm>
+#include <optional>
 
 #include "repair/append_regions.h"
 #include "repair/owned_pieces.h"
@@ -11,13 +18,33 @@
 namespace oblast::internal::repairing {
 namespace {
 
+/// Beyond all coordinates, or at the end of the domain.
+double frame_side(double least) { return std::max(std::min(2 * least, 0.0) - 1, -domain_largest); }
+
+/// A box around everything.
+RegionSet frame_around(const Box& box) {
+  const double x0 = frame_side(box.x0), y0 = frame_side(box.y0), x1 = -frame_side(-box.x1), y1 = -frame_side(-box.y1);
+  return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
+}
+
+/// Whether a ring has a vertex on the frame's sides.
+bool reaches_frame(std::span<const Point> ring, const RegionSet& frame) {
+  const Point &low = frame.points[0], &high = frame.points[2];
+  return std::any_of(ring.begin(), ring.end(), [&](const Point& p) {
+    return p.x == low.x || p.y == low.y || p.x == high.x || p.y == high.y;
+  });
+}
+
+/// A gap with a vertex at the very end of the domain is not found.
 RegionSet find_gaps(const RegionSet& pieces) {
-  const RegionSet covered = unite(pieces);
-  RegionSet holes;
-  for (const PolygonView polygon : covered.polygons())
-    append_regions(polygon.view().contours_between(1, polygon.contour_count()), holes);
-  if (holes.empty()) return {};
-  return overlay(holes, covered, Operation::difference);
+  const std::optional<Box> box = bounds(pieces);
+  if (!box) return {};
+  const RegionSet frame = frame_around(*box);
+  const RegionSet outside = overlay(frame, pieces, Operation::difference);
+  RegionSet gaps;
+  for (const PolygonView polygon : outside.polygons())
+    if (!reaches_frame(polygon.contour(0), frame)) append_regions(polygon, gaps);
+  return gaps;
 }
 
 }  // namespace
