@@ -89,7 +89,8 @@ std::string to_text(const Summary& summary) {
                                      counted(s.output_contours, "contour"), counted(s.output_vertices, "vertex")));
   text += line(
       "area", fmt::format("{:.10g} square units of the coordinates; coordinate system: {}", summary.area, summary.crs));
-  text += line("noding",
+  if (summary.noded)
+    text += line("noding",
                fmt::format("{}, {}, largest displacement {:.3g} ({:.2f} ulp)", counted(s.intersections, "intersection"),
                            counted(s.rounds, "round"), s.largest_displacement, s.largest_displacement_ulps));
   if (s.resolved_polygons)
@@ -132,6 +133,7 @@ Json to_json(const Summary& summary) {
     object["notes"] = summary.notes;
   }
   if (!summary.picture.empty()) object["picture"] = summary.picture;
+  if (!summary.more.is_null()) object.update(summary.more);
   return object;
 }
 

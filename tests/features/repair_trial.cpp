@@ -3,6 +3,7 @@
 #include <oblast/repair.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "features/layers.h"
@@ -39,7 +40,7 @@ class RepairTrial {
     options_.threads = coverage_options_.threads = 1;
     if (random.one_in(2)) coverage_options_.overlaps = OverlapRule::largest;
     const double infinity = std::numeric_limits<double>::infinity();
-    const double area = signed_area(unite(layer_.regions));
+    const double area = std::fabs(signed_area(unite(layer_.regions)));  // of slivers it may seem negative
     for (double* const bound : {&coverage_options_.gaps_below, &coverage_options_.slivers_below})
       if (random.one_in(2)) *bound = random.one_in(4) ? infinity : area * random.unit() / 8;
     for (double* const bound : {&coverage_options_.gaps_narrower, &coverage_options_.slivers_narrower})
