@@ -1,7 +1,6 @@
 // `oblast repair`: features made valid one by one, or all of them together made a coverage.
-#include <oblast/repair.h>
-
 #include <fmt/format.h>
+#include <oblast/repair.h>
 
 #include <algorithm>
 
@@ -132,7 +131,8 @@ void add_coverage_options(CLI::App& command, Arguments& arguments) {
             what)
         ->type_name(unit);
   };
-  add_bound("--gaps-below", a->options.gaps_below, "with --coverage: close gaps with less area (default: none)", "AREA");
+  add_bound("--gaps-below", a->options.gaps_below, "with --coverage: close gaps with less area (default: none)",
+            "AREA");
   add_bound("--gaps-narrower", a->options.gaps_narrower, "with --coverage: close gaps of less width", "WIDTH");
   add_bound("--slivers-below", a->options.slivers_below, "with --coverage: move slivers with less area", "AREA");
   add_bound("--slivers-narrower", a->options.slivers_narrower, "with --coverage: move slivers of less width", "WIDTH");

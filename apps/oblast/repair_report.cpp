@@ -43,7 +43,8 @@ void RepairReport::add(const FeatureRepair& change) {
     faults.push_back(oblast::to_text(fault));
     said += (said.empty() ? "" : ", ") + std::string(oblast::to_text(fault));
   }
-  const std::string after = change.rings_after == 0 ? "nothing is left" : counted(change.rings_after, "ring") + " after";
+  const std::string after =
+      change.rings_after == 0 ? "nothing is left" : counted(change.rings_after, "ring") + " after";
   std::string line =
       fmt::format("{}: {}; {} before, {}", name(change.feature), said, counted(change.rings_before, "ring"), after);
   if (change.area_removed > 0) line += fmt::format("; area {:.6g} removed", change.area_removed);
@@ -106,8 +107,7 @@ std::string RepairReport::to_text() const {
   if (dropped_ > 0) all += fmt::format("; {} without a geometry left out", counted(dropped_, "row"));
   all += '\n';
   for (std::size_t i = 0; i < std::min(lines_.size(), most_lines); ++i) all += fmt::format("    {}\n", lines_[i]);
-  if (lines_.size() > most_lines)
-    all += fmt::format("    and {} more; --json lists all\n", lines_.size() - most_lines);
+  if (lines_.size() > most_lines) all += fmt::format("    and {} more; --json lists all\n", lines_.size() - most_lines);
   return all;
 }
 

@@ -90,9 +90,9 @@ std::string to_text(const Summary& summary) {
   text += line(
       "area", fmt::format("{:.10g} square units of the coordinates; coordinate system: {}", summary.area, summary.crs));
   if (summary.noded)
-    text += line("noding",
-               fmt::format("{}, {}, largest displacement {:.3g} ({:.2f} ulp)", counted(s.intersections, "intersection"),
-                           counted(s.rounds, "round"), s.largest_displacement, s.largest_displacement_ulps));
+    text += line("noding", fmt::format("{}, {}, largest displacement {:.3g} ({:.2f} ulp)",
+                                       counted(s.intersections, "intersection"), counted(s.rounds, "round"),
+                                       s.largest_displacement, s.largest_displacement_ulps));
   if (s.resolved_polygons)
     text += line("", counted(s.resolved_polygons, "polygon") + " with rings that meet; resolved first");
   text += line("time", stage_times(summary));

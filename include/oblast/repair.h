@@ -14,18 +14,18 @@ namespace oblast {
 
 /// What was wrong with a feature.
 enum class RepairFault {
-  too_few_points,       ///< a ring has fewer than three different points
-  no_area,              ///< all points of a ring are on one line
-  ring_crosses_itself,  ///< two edges of a ring cross
-  ring_meets_itself,    ///< a ring goes through one of its vertices, or through a place on one of its edges, again
-  spike,                ///< a ring turns back on itself at a vertex
-  ring_repeats_border,  ///< a ring runs along itself elsewhere
-  rings_cross,          ///< edges of two rings of a polygon cross
-  rings_share_border,   ///< two rings of a polygon run along each other, or are the same
-  hole_outside,         ///< a hole is outside its outer ring, at least in part
-  holes_overlap,        ///< a hole overlaps another one, or lies in it
-  interior_parted,      ///< rings that touch cut the interior of a polygon into parts
-  polygons_overlap,     ///< two polygons of the feature overlap, or one lies in the other
+  too_few_points,         ///< a ring has fewer than three different points
+  no_area,                ///< all points of a ring are on one line
+  ring_crosses_itself,    ///< two edges of a ring cross
+  ring_meets_itself,      ///< a ring goes through one of its vertices, or through a place on one of its edges, again
+  spike,                  ///< a ring turns back on itself at a vertex
+  ring_repeats_border,    ///< a ring runs along itself elsewhere
+  rings_cross,            ///< edges of two rings of a polygon cross
+  rings_share_border,     ///< two rings of a polygon run along each other, or are the same
+  hole_outside,           ///< a hole is outside its outer ring, at least in part
+  holes_overlap,          ///< a hole overlaps another one, or lies in it
+  interior_parted,        ///< rings that touch cut the interior of a polygon into parts
+  polygons_overlap,       ///< two polygons of the feature overlap, or one lies in the other
   polygons_share_border,  ///< two polygons of the feature run along each other
 };
 

@@ -20,8 +20,8 @@ namespace {
 
 void check_bound(double bound, const char* name) {
   if (bound >= 0) return;
-  throw Error(ErrorCode::bad_option, std::string(name) + (std::isnan(bound) ? " is not a number" : " is negative") +
-                                         "; it must be 0 or more");
+  throw Error(ErrorCode::bad_option,
+              std::string(name) + (std::isnan(bound) ? " is not a number" : " is negative") + "; it must be 0 or more");
 }
 
 FeatureSet repaired_rows(const FeatureView& layer, const CoverageRepairOptions& options, RepairedCoverage& result) {

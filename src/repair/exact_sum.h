@@ -1,7 +1,7 @@
 // A sum of doubles and of products of doubles, without any rounding: to compare areas exactly.
 //
-// It is an expansion (exact/expansion.h) of any length. Terms are products of two coordinates, multiples of 2^-704 below
-// 2^601, so a hundred components suffice, and three or four are usual.
+// It is an expansion (exact/expansion.h) of any length. Terms are products of two coordinates, multiples of 2^-704
+// below 2^601, so a hundred components suffice, and three or four are usual.
 #pragma once
 
 #include <oblast/region_set.h>

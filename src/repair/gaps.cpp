@@ -30,9 +30,8 @@ RegionSet frame_around(const Box& box) {
 /// Whether a ring has a vertex on the frame's sides.
 bool reaches_frame(std::span<const Point> ring, const RegionSet& frame) {
   const Point &low = frame.points[0], &high = frame.points[2];
-  return std::any_of(ring.begin(), ring.end(), [&](const Point& p) {
-    return p.x == low.x || p.y == low.y || p.x == high.x || p.y == high.y;
-  });
+  return std::any_of(ring.begin(), ring.end(),
+                     [&](const Point& p) { return p.x == low.x || p.y == low.y || p.x == high.x || p.y == high.y; });
 }
 
 /// A gap with a vertex at the very end of the domain is not found.

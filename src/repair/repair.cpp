@@ -42,11 +42,12 @@ class Repair {
     const std::size_t count = layer_.feature_count();
     const std::size_t points = layer_.regions.points.size();
     Share* const whole = Share::current();
-    const NoShare by_vertices;  // progress is counted by vertices, not by the loop
+    const NoShare by_vertices;            // progress is counted by vertices, not by the loop
     Array<Array<Change>> changes(count);  // of each feature none or one
     for_ranges(count, grain(count, points), [&](std::size_t f, std::size_t end) {
       for (; f < end; ++f) {
-        const auto part = static_cast<double>(feature_regions(layer_, f).points.size()) / static_cast<double>(points + 1);
+        const auto part =
+            static_cast<double>(feature_regions(layer_, f).points.size()) / static_cast<double>(points + 1);
         const Share share(whole, repair_share * part);
         look_at(static_cast<std::uint32_t>(f), changes[f]);
       }

@@ -29,8 +29,7 @@ Meeting meeting_of(const Point& a, const Point& b, const Point& c, const Point& 
   if (c_side * d_side > 0) return Meeting::none;
   const int a_side = orientation(c, d, a), b_side = orientation(c, d, b);
   if (a_side * b_side > 0) return Meeting::none;
-  if (c_side != 0 || d_side != 0)
-    return c_side * d_side * a_side * b_side != 0 ? Meeting::cross : Meeting::at_a_point;
+  if (c_side != 0 || d_side != 0) return c_side * d_side * a_side * b_side != 0 ? Meeting::cross : Meeting::at_a_point;
   // On one line: from the larger of the beginnings to the smaller of the ends, along the line.
   const auto [a0, a1] = std::minmax(a, b, lexicographically_less);
   const auto [c0, c1] = std::minmax(c, d, lexicographically_less);

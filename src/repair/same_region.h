@@ -1,12 +1,13 @@
 // Whether the rings of a feature are the region that it means. They are if and only if the feature is valid:
 //
-// A valid region is bounded by simple rings in one way only. Two rings of one polygon share at most one point, and rings
-// that touch never close a circle of touches, since that would part the interior; so at each point where rings touch it
-// is determined which of them goes on where. Hence the rings of a feature, put in order, are those of its resolved
-// region if the feature is valid. And a resolved region is valid (promise G2), so a feature with its rings is, too.
+// A valid region is bounded by simple rings in one way only. Two rings of one polygon share at most one point, and
+// rings that touch never close a circle of touches, since that would part the interior; so at each point where rings
+// touch it is determined which of them goes on where. Hence the rings of a feature, put in order, are those of its
+// resolved region if the feature is valid. And a resolved region is valid (promise G2), so a feature with its rings is,
+// too.
 //
-//   ----t----      The resolved region has a vertex where a vertex of one ring touches an edge of another one (t). It is
-//      / \         exactly on the edge, since nothing was rounded there.
+//   ----t----      The resolved region has a vertex where a vertex of one ring touches an edge of another
+//      / \         one (t). It is exactly on the edge, since nothing was rounded there.
 #pragma once
 
 #include <oblast/region_set.h>

@@ -1,8 +1,8 @@
 // Step 3 of repair_coverage: parts of features that are too small.
 //
-//   a a a a a a      First the slivers beside parts that stay go to one of these (s), then those beside them (t), and so
-//   s s s t t        on in waves: each sliver is decided once, by what was settled before its wave. The waves do not
-//   b b b b s        depend on the order of the polygons.
+//   a a a a a a      First the slivers beside parts that stay go to one of these (s), then those beside them
+//   s s s t t        (t), and so on in waves: each sliver is decided once, by what was settled before its wave.
+//   b b b b s        The waves do not depend on the order of the polygons.
 #include <algorithm>
 
 #include "base/index.h"

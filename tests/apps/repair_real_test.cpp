@@ -17,10 +17,10 @@ struct RealLayer {
   std::size_t invalid;  ///< features that GEOS calls invalid, too (shapely 2.2, GEOS 3.14)
 };
 
-constexpr RealLayer real_layers[] = {{"berlin-districts", 0},        {"brazil-states", 11},
-                                     {"france-communes-normandie", 1}, {"france-departements", 0},
-                                     {"germany-counties-medium", 0}, {"germany-districts-high", 0},
-                                     {"italy-regions", 0},           {"russia-subjects", 10}};
+constexpr RealLayer real_layers[] = {
+    {"berlin-districts", 0},    {"brazil-states", 11},          {"france-communes-normandie", 1},
+    {"france-departements", 0}, {"germany-counties-medium", 0}, {"germany-districts-high", 0},
+    {"italy-regions", 0},       {"russia-subjects", 10}};
 
 class RealLayers : public ::testing::TestWithParam<RealLayer> {
  protected:

@@ -18,11 +18,11 @@ std::string feature(const std::string& coordinates, const std::string& propertie
 class Repair : public ::testing::Test {
  protected:
   Repair() {
-    write_layer(folder_ / "in.geojson",
-                {feature("[[[0,0],[4,4],[4,0],[0,4],[0,0]]]", R"("name":"bowtie","n":1)"),
-                 feature("[[[20,1],[20,0],[21,0],[21,1],[20,1]]]", R"("name":"valid","n":null)"),
-                 feature("[[[30,0],[31,0],[32,0],[30,0]]]", R"("name":"flat","n":3)"),
-                 square(0, 0, R"("name":"null","n":4)")});
+    write_layer(
+        folder_ / "in.geojson",
+        {feature("[[[0,0],[4,4],[4,0],[0,4],[0,0]]]", R"("name":"bowtie","n":1)"),
+         feature("[[[20,1],[20,0],[21,0],[21,1],[20,1]]]", R"("name":"valid","n":null)"),
+         feature("[[[30,0],[31,0],[32,0],[30,0]]]", R"("name":"flat","n":3)"), square(0, 0, R"("name":"null","n":4)")});
     write_layer(folder_ / "coverage.geojson",
                 {square(0, 4, R"("name":"a")"), square(3, 4, R"("name":"b")"), square(7, 4, R"("name":"c")")});
   }
@@ -43,8 +43,10 @@ TEST_F(Repair, KeepsRowsAndAttributesAndSaysWhatChanged) {
   EXPECT_EQ(rows(), (Lines{"name=bowtie n=1 area=8", "name=valid n=null area=1", "name=flat n=3 area=0",
                            "name=null n=4 area=0"}));
   EXPECT_TRUE(contains(done.err, "  repaired  2 of 4 features changed; 1 left without a geometry\n")) << done.err;
-  EXPECT_TRUE(contains(done.err, "    feature 0: two edges of a ring cross; 1 ring before, 2 rings after\n")) << done.err;
-  EXPECT_TRUE(contains(done.err, "    feature 2: all points of a ring are on one line; 1 ring before, nothing is left\n"))
+  EXPECT_TRUE(contains(done.err, "    feature 0: two edges of a ring cross; 1 ring before, 2 rings after\n"))
+      << done.err;
+  EXPECT_TRUE(
+      contains(done.err, "    feature 2: all points of a ring are on one line; 1 ring before, nothing is left\n"))
       << done.err;
   EXPECT_FALSE(contains(done.err, "noding")) << done.err;
   // The valid one still runs clockwise from its own first vertex.
@@ -117,7 +119,8 @@ TEST_F(Repair, ClosesGapsAndMovesSlivers) {
   const ProgramRun done = run("frame.geojson", {"--coverage", "--gaps-below", "inf", "--slivers-narrower", "1"});
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_EQ(rows(), (Lines{"name=frame area=81", "name=two area=8"}));
-  EXPECT_TRUE(contains(done.err, "0 overlaps removed, 1 gap closed, 0 gaps left, 1 sliver moved; 2 of 2 features changed"))
+  EXPECT_TRUE(
+      contains(done.err, "0 overlaps removed, 1 gap closed, 0 gaps left, 1 sliver moved; 2 of 2 features changed"))
       << done.err;
   const auto report = nlohmann::json::parse(run("frame.geojson", {"--coverage", "--json"}).out);
   EXPECT_EQ(report["gaps_left"], 1);

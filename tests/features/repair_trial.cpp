@@ -79,7 +79,8 @@ class RepairTrial {
     if (again.features != rows || !again.changed.empty()) return failure(BrokenRepair::again, "repaired again");
     const FeatureSet canonical = canonical_rows(rows);
     const Repaired shuffled = repair(shuffled_within_rows(layer_, seed_ + 1), options_);
-    if (canonical_rows(shuffled.features) != canonical) return failure(BrokenRepair::order, "bytes change with the order");
+    if (canonical_rows(shuffled.features) != canonical)
+      return failure(BrokenRepair::order, "bytes change with the order");
     if (repair_with_squares(canonical.size()) != canonical)
       return failure(BrokenRepair::far, "bytes change with squares elsewhere");
     if (threads_) {

@@ -73,7 +73,8 @@ TEST(RepairCoverage, GivesACrowdToOne) {
   const RepairedCoverage result = repaired(layer);
   EXPECT_EQ(text_of(result.features, 3), "MULTIPOLYGON EMPTY");
   EXPECT_EQ(text_of(result.features, 2), "MULTIPOLYGON EMPTY");
-  for (const CoverageRepair& change : result.changes) EXPECT_TRUE(std::is_sorted(change.from.begin(), change.from.end()));
+  for (const CoverageRepair& change : result.changes)
+    EXPECT_TRUE(std::is_sorted(change.from.begin(), change.from.end()));
   EXPECT_EQ(result.changes.size(), 3U);  // 1 to 2, 2 to 4, 4 to 5
 }
 
@@ -148,7 +149,8 @@ TEST(RepairCoverage, MovesSliversToTheLongestBorder) {
 }
 
 TEST(RepairCoverage, KeepsTheLargestPartAndIslands) {
-  const TextLayer layer({square(0, 0, 1, 1), "MULTIPOLYGON (((1 0, 2 0, 2 1, 1 1, 1 0)), ((7 7, 8 7, 8 7.5, 7 7.5, 7 7)))"});
+  const TextLayer layer(
+      {square(0, 0, 1, 1), "MULTIPOLYGON (((1 0, 2 0, 2 1, 1 1, 1 0)), ((7 7, 8 7, 8 7.5, 7 7.5, 7 7)))"});
   CoverageRepairOptions options;
   options.slivers_below = infinity;
   const RepairedCoverage result = repaired(layer, options);
@@ -162,9 +164,8 @@ TEST(RepairCoverage, MovesChainsOfSliversInWaves) {
   for (int i = 0; i < 10; ++i) {
     const RegionSet parts = [&] {
       const double x = 1 + i / 8.0, y = 50 + 10 * i;
-      return RegionSet{{{x, 0}, {x + 0.125, 0}, {x + 0.125, 1}, {x, 1}, {50, y}, {52, y}, {52, y + 2}, {50, y + 2}},
-                       {4, 8},
-                       {1, 2}};
+      return RegionSet{
+          {{x, 0}, {x + 0.125, 0}, {x + 0.125, 1}, {x, 1}, {50, y}, {52, y}, {52, y + 2}, {50, y + 2}}, {4, 8}, {1, 2}};
     }();
     features.push_back(to_wkt(parts));
   }
@@ -180,8 +181,8 @@ TEST(RepairCoverage, PutsVerticesOfNeighboursIn) {
   const RepairedCoverage result = repaired(layer);
   EXPECT_TRUE(result.changes.empty());
   EXPECT_EQ(result.changed, (std::vector<std::uint32_t>{0}));
-  EXPECT_EQ(texts_of(result.features),
-            (Texts{"POLYGON ((0 0, 4 0, 4 2, 4 4, 0 4, 0 0))", text_of(layer, 1), text_of(layer, 2), text_of(layer, 3)}));
+  EXPECT_EQ(texts_of(result.features), (Texts{"POLYGON ((0 0, 4 0, 4 2, 4 4, 0 4, 0 0))", text_of(layer, 1),
+                                              text_of(layer, 2), text_of(layer, 3)}));
 }
 
 TEST(RepairCoverage, RepairsFeaturesThatAreNotValid) {

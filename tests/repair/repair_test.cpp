@@ -140,20 +140,20 @@ INSTANTIATE_TEST_SUITE_P(All, RepairFaults, ::testing::ValuesIn(fault_cases()),
 
 TEST(Repair, LeavesValidFeaturesAsTheyAre) {
   const std::vector<std::string> valid = {
-      "POLYGON ((0 0, 0 4, 4 4, 4 0, 0 0))",                                                   // clockwise
-      "POLYGON ((4 4, 0 4, 0 0, 4 0, 4 4))",                                                   // another start
-      "POLYGON ((0 0, 4 0, 4 0, 4 0, 4 4, 0 4, 0 0, 0 0))",                                    // repeated points
-      "POLYGON ((0 0, 2 0, 4 0, 4 4, 0 4, 0 0))",                                              // collinear
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 1))",                             // hole, either way
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 5, 6 6, 6 5, 5 5), (1 1, 1 2, 2 2, 1 1))",       // holes in any order
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 2 1, 1 2, 0 0))",                             // touches at a vertex
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 0, 7 3, 3 3, 5 0))",                             // ... on an edge
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 0, 7 3, 3 3, 5 0), (5 3, 7 6, 3 6, 5 3))",       // ... on a hole's edge
+      "POLYGON ((0 0, 0 4, 4 4, 4 0, 0 0))",                                              // clockwise
+      "POLYGON ((4 4, 0 4, 0 0, 4 0, 4 4))",                                              // another start
+      "POLYGON ((0 0, 4 0, 4 0, 4 0, 4 4, 0 4, 0 0, 0 0))",                               // repeated points
+      "POLYGON ((0 0, 2 0, 4 0, 4 4, 0 4, 0 0))",                                         // collinear
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 1))",                        // hole, either way
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 5, 6 6, 6 5, 5 5), (1 1, 1 2, 2 2, 1 1))",  // holes in any order
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 2 1, 1 2, 0 0))",                        // touches at a vertex
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 0, 7 3, 3 3, 5 0))",                        // ... on an edge
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (5 0, 7 3, 3 3, 5 0), (5 3, 7 6, 3 6, 5 3))",  // ... on a hole's edge
       "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 4 4, 1 4, 1 1), (4 4, 7 4, 7 7, 4 4), (4 4, 4 7, 3 7, 4 4))",
-      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 3 1, 1 3, 1 1), (1 1, 1 0.5, 2 0.5, 1 1))",   // holes from one vertex
-      "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((4 4, 8 4, 8 8, 4 8, 4 4)))",               // touch at a vertex
-      "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((4 2, 8 0, 8 4, 4 2)))",                    // ... on an edge
-      "MULTIPOLYGON (((4 2, 8 0, 8 4, 4 2)), ((0 0, 4 0, 4 4, 0 4, 0 0)))",                    // another order
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 3 1, 1 3, 1 1), (1 1, 1 0.5, 2 0.5, 1 1))",  // holes from one vertex
+      "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((4 4, 8 4, 8 8, 4 8, 4 4)))",              // touch at a vertex
+      "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0)), ((4 2, 8 0, 8 4, 4 2)))",                   // ... on an edge
+      "MULTIPOLYGON (((4 2, 8 0, 8 4, 4 2)), ((0 0, 4 0, 4 4, 0 4, 0 0)))",                   // another order
       "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1)), ((3 3, 5 3, 5 5, 3 5, 3 3)))",
       "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1)), ((1 4, 4 1, 5 5, 1 4)))",
       // Two polygons that enclose a place between them, and touch twice.
@@ -198,7 +198,8 @@ TEST(Repair, WorksOnPartsOfLargerArrays) {
 }
 
 TEST(Repair, CountsRingsWithoutArea) {
-  const TextLayer layer({"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 2, 3 3, 1 1), (5 5, 6 6, 5 5), (7 7, 8 7, 7 8, 7 7))"});
+  const TextLayer layer(
+      {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 2, 3 3, 1 1), (5 5, 6 6, 5 5), (7 7, 8 7, 7 8, 7 7))"});
   const Repaired repaired = repair(layer);
   ASSERT_EQ(repaired.changed.size(), 1U);
   EXPECT_EQ(repaired.changed[0].rings_dropped, 2U);
