@@ -31,6 +31,7 @@ void add_erase(CLI::App& program, Invocation& invocation);
 void add_dissolve(CLI::App& program, Invocation& invocation);
 void add_depth(CLI::App& program, Invocation& invocation);
 void add_partition(CLI::App& program, Invocation& invocation);
+void add_repair(CLI::App& program, Invocation& invocation);
 void add_check(CLI::App& program, Invocation& invocation);
 void add_triangulate(CLI::App& program, Invocation& invocation);
 void add_corpus(CLI::App& program, Invocation& invocation);

@@ -69,6 +69,12 @@ class RowJob {
   /// Calls `run` with the options; errors get the names of file and feature.
   void compute(const std::function<void(const Options&)>& run);
 
+  /// Members of the summary that only this command has, which does not count intersections.
+  void add_to_summary(nlohmann::ordered_json members) {
+    summary_.more = std::move(members);
+    summary_.noded = false;
+  }
+
   /// Writes the rows, draws if a picture is wanted, and prints notes and the summary. Returns an exit code.
   int finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture);
 

@@ -98,9 +98,10 @@ std::string to_text(const Summary& summary) {
   text += line("result", fmt::format("{}{}, {}, {}", rows, counted(s.output_polygons, "polygon"),
                                      counted(s.output_contours, "contour"), counted(s.output_vertices, "vertex")));
   text += line("area", fmt::format("{}; coordinate system: {}", summary.area_text, summary.crs));
-  text += line("noding", fmt::format("{}, {}, largest displacement {:.3g} {} ({:.2f} ulp)",
-                                     counted(s.intersections, "intersection"), counted(s.rounds, "round"),
-                                     s.largest_displacement, summary.unit, s.largest_displacement_ulps));
+  if (summary.noded)
+    text += line("noding", fmt::format("{}, {}, largest displacement {:.3g} {} ({:.2f} ulp)",
+                                       counted(s.intersections, "intersection"), counted(s.rounds, "round"),
+                                       s.largest_displacement, summary.unit, s.largest_displacement_ulps));
   if (s.resolved_polygons)
     text += line("", counted(s.resolved_polygons, "polygon") + " with rings that meet; resolved first");
   text += line("time", stage_times(summary));
@@ -142,6 +143,7 @@ Json to_json(const Summary& summary) {
     object["notes"] = summary.notes;
   }
   if (!summary.picture.empty()) object["picture"] = summary.picture;
+  if (!summary.more.is_null()) object.update(summary.more);
   return object;
 }
 

@@ -33,6 +33,8 @@ struct Summary {
   std::optional<std::uint64_t> rows;  ///< of the result, if it has rows
   std::uint64_t columns = 0;          ///< of its table
   std::vector<std::string> notes;     ///< on its columns
+  bool noded = true;                  ///< false: the command counts no intersections
+  nlohmann::ordered_json more;        ///< members that only this command has; null: none
   double area = 0;                    ///< of all rows together, in squared units of the coordinates
   std::string area_text;              ///< the same for a reader; made only if the summary is shown as text
   std::string unit = "units";         ///< of the coordinates: "degrees", "m"

@@ -31,6 +31,7 @@ struct Place {
   std::size_t contour = npos;  ///< index of the contour within the operand
   std::size_t vertex = npos;   ///< index of the vertex within the contour
   std::size_t byte = npos;     ///< number of bytes before the fault, in text or binary that is read
+  std::size_t feature = npos;  ///< index of the feature, where the operand has features
 };
 
 /// The exception of all public functions. Degenerate geometry is never an error of an overlay (promise G5).

@@ -14,6 +14,7 @@
 #include <oblast/point.h>
 #include <oblast/region_builder.h>
 #include <oblast/region_set.h>
+#include <oblast/repair.h>
 #include <oblast/triangulate.h>
 #include <oblast/version.h>
 #include <oblast/wkb.h>

@@ -15,4 +15,10 @@ inline constexpr double union_share = 0.5;
 // Of a check, of what the steps before leave. Not measured.
 inline constexpr double check_meetings_share = 0.6, check_faces_share = 0.9;
 
+// Of the repair of a coverage. The rest is for slivers and for joining. Not measured.
+inline constexpr double coverage_arrangement_share = 0.4, coverage_gaps_share = 0.2, coverage_union_share = 0.2;
+
+// Of a repair of features one by one. The rest is for joining.
+inline constexpr double repair_share = 0.95;
+
 }  // namespace oblast::internal

@@ -7,8 +7,8 @@
 #include "base/check_options.h"
 #include "base/public_call.h"
 #include "features/keyed_overlay.h"
+#include "features/validate_features.h"
 #include "plane/largest_ulp.h"
-#include "regions/validate.h"
 
 namespace oblast {
 using namespace internal;
@@ -31,28 +31,6 @@ void check_groups(const FeatureView& features, std::span<const std::uint32_t> gr
   if (groups.size() != features.feature_count())
     throw Error(ErrorCode::bad_option, std::to_string(groups.size()) + " groups for " +
                                            std::to_string(features.feature_count()) + " features");
-}
-
-/// Throws Error(bad_offsets).
-void validate_features(const FeatureView& layer, std::size_t operand) {
-  validate(layer.regions, operand);
-  if (layer.feature_ends.empty()) return;
-  const std::size_t polygons = layer.regions.polygon_count();
-  std::uint32_t before = 0;
-  for (std::size_t f = 0; f < layer.feature_ends.size(); ++f) {
-    const std::uint32_t end = layer.feature_ends[f];
-    if (end < before || end > polygons)
-      throw Error(ErrorCode::bad_offsets,
-                  "feature_ends[" + std::to_string(f) + "] is " + std::to_string(end) + "; it must be " +
-                      std::to_string(before) + " to " + std::to_string(polygons),
-                  {operand});
-    before = end;
-  }
-  if (before != polygons)
-    throw Error(ErrorCode::bad_offsets,
-                "the last of feature_ends is " + std::to_string(before) + "; there are " + std::to_string(polygons) +
-                    " polygons",
-                {operand});
 }
 
 /// By polygon: the source that its feature is.

@@ -71,6 +71,27 @@ class BitWriter {
     add(features.feature_ends);
     add(features.keys);
   }
+  void add(const Repaired& repaired) {
+    add(repaired.features);
+    for (const FeatureRepair& change : repaired.changed) {
+      add(change.feature);
+      for (const RepairFault fault : change.faults) add(static_cast<std::uint32_t>(fault));
+      add(std::vector{change.rings_before, change.rings_after, change.rings_dropped});
+      add(std::vector{change.area_removed, change.area_added, change.area_after});
+    }
+  }
+  void add(const RepairedCoverage& repaired) {
+    add(repaired.features);
+    for (const CoverageRepair& change : repaired.changes) {
+      add(static_cast<std::uint32_t>(change.change));
+      add(change.from);
+      add(change.to);
+      add(change.area);
+      add(change.at);
+    }
+    add(repaired.changed);
+    bits.push_back(repaired.gaps_left);
+  }
   void add(const Partition& found) {
     add(found.rows);
     add(found.source_ends);
@@ -177,6 +198,13 @@ void add_rows(const Add& add, const RegionSet& a, const RegionSet& b) {
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = static_cast<std::uint32_t>(i % 3);
   add("dissolve", [&, groups](const CallOptions& call) { return dissolve({a, {}}, groups, with<Options>(call)); });
   add("depth", [&](const CallOptions& call) { return depth({a, {}}, {}, with<Options>(call)); });
+  add("repair", [&](const CallOptions& call) { return repair({a, {}}, with<RepairOptions>(call)); });
+  add("repair_coverage", [&](const CallOptions& call) {
+    CoverageRepairOptions coverage = with<CoverageRepairOptions>(call);
+    coverage.overlaps = OverlapRule::largest;
+    coverage.gaps_below = coverage.slivers_below = 1;
+    return repair_coverage({a, {}}, coverage);
+  });
   add("partition", [&](const CallOptions& call) {
     const FeatureView layers[] = {{a, {}}, {b, {}}};
     return partition(layers, with<Options>(call));
