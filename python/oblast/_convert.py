@@ -97,9 +97,7 @@ def _each(offsets: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
     return np.arange(max(len(offsets), 1), dtype=np.int32)
 
 
-def from_wkb(
-    geometries: bytes | Iterable[bytes | None], *, z: ZRule = "warn", threads: int | None = None
-) -> Regions:
+def from_wkb(geometries: bytes | Iterable[bytes | None], *, z: ZRule = "warn", threads: int | None = None) -> Regions:
     """Read geometries in Well-Known Binary, each as a row, on all cores.
 
     Parameters
@@ -120,7 +118,7 @@ def from_wkb(
     OblastError
         For anything else than such geometries, with the row and the byte. Cost: linear.
     """
-    given = [geometries] if isinstance(geometries, bytes) else list(geometries)
+    given: list[bytes | None] = [geometries] if isinstance(geometries, bytes) else list(geometries)
     with settings_of(threads, counted=False) as settings:
         arrays, has_z = _core.from_wkb(given, settings)
     z_left_out(has_z, z)

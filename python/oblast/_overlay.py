@@ -109,9 +109,7 @@ def overlay(
     left, right = regions_of(a), regions_of(b)
     usual = fill_a == "polygons" and fill_b == "polygons"
     fill = () if usual else (fill_a, fill_b)
-    with settings_of(
-        threads, progress, workspace, most_bytes, fill, engine, touching, minimal
-    ) as settings:
+    with settings_of(threads, progress, workspace, most_bytes, fill, engine, touching, minimal) as settings:
         return Regions._of(_core.overlay(left._core, right._core, operation, settings))
 
 
@@ -160,9 +158,7 @@ def symmetric_difference(
     workspace: Workspace | None = None,
 ) -> Regions:
     """Return what exactly one operand covers: `overlay` with "symmetric_difference"."""
-    return overlay(
-        a, b, "symmetric_difference", threads=threads, progress=progress, workspace=workspace
-    )
+    return overlay(a, b, "symmetric_difference", threads=threads, progress=progress, workspace=workspace)
 
 
 def union_all(
@@ -210,9 +206,7 @@ def union_all(
     """
     regions = regions_of(a)
     rules = () if fill == "polygons" else (fill,)
-    with settings_of(
-        threads, progress, workspace, most_bytes, rules, touching=touching, minimal=minimal
-    ) as settings:
+    with settings_of(threads, progress, workspace, most_bytes, rules, touching=touching, minimal=minimal) as settings:
         if by is None:
             return Regions._of(_core.unite(regions._core, settings))
         return Regions._of(_core.dissolve(regions._core, groups_of(by, len(regions))[1], settings))
@@ -274,9 +268,7 @@ def overlay_pairs(
     left, right = regions_of(a), regions_of(b)
     first, second = _pairs(left, right, i, j)
     with settings_of(threads, progress, None, most_bytes, counted=False) as settings:
-        return Regions._of(
-            _core.overlay_pairs(left._core, right._core, first, second, operation, settings)
-        )
+        return Regions._of(_core.overlay_pairs(left._core, right._core, first, second, operation, settings))
 
 
 def _pairs(
@@ -287,9 +279,9 @@ def _pairs(
     if i is not None and j is not None:
         return _indices(i, "i"), _indices(j, "j")
     count = max(len(a), len(b)) if len(a) and len(b) else 0
-    for name, rows in (("a", len(a)), ("b", len(b))):
-        if rows not in (1, count):
-            raise ValueError(f"{name} has {rows} rows: expected 1 or {count}; or give i and j")
+    for name, given in (("a", len(a)), ("b", len(b))):
+        if given not in (1, count):
+            raise ValueError(f"{name} has {given} rows: expected 1 or {count}; or give i and j")
     rows = np.arange(count, dtype=np.int64)
     return (rows if len(a) == count else rows * 0), (rows if len(b) == count else rows * 0)
 

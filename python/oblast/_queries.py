@@ -16,9 +16,7 @@ from oblast._settings import Progress, settings_of
 __all__ = ["Locator", "Report", "Triangulation", "check", "hull", "triangulate"]
 
 
-def hull(
-    a: Operand, *, threads: int | None = None, progress: Progress = False, most_bytes: int = 0
-) -> Regions:
+def hull(a: Operand, *, threads: int | None = None, progress: Progress = False, most_bytes: int = 0) -> Regions:
     """Return the convex hull of all regions, as one row.
 
     Its corners are points of the input, bit for bit; no three neighbours are on one line. It is empty if all points are
@@ -85,8 +83,8 @@ def triangulate(
         raise ValueError(f"extent={extent!r}: expected 'interior' or 'convex_hull'")
     regions = regions_of(a)
     with settings_of(threads, progress, None, most_bytes, counted=False) as settings:
-        united, *arrays = _core.triangulate(regions._core, extent == "convex_hull", False, settings)
-    return Triangulation(Regions._of(united), *arrays)
+        t = _core.triangulate(regions._core, extent == "convex_hull", False, settings)
+    return Triangulation(Regions._of(t[0]), *t[1:])
 
 
 @dataclass(frozen=True)
@@ -154,7 +152,8 @@ def check(
     if fault is None:
         return Report()
     kind, message, place, other, point = fault
-    return Report(kind, message, *place, other=other, point=point)
+    row, polygon, ring, vertex = place
+    return Report(kind, message, row, polygon, ring, vertex, other, point)
 
 
 class Locator:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from oblast import _core
+from oblast._core import Arrays
 from oblast._settings import settings_of
 from oblast._svg import svg_of
 
@@ -39,7 +40,7 @@ class ArrowColumn:
 class Regions:
     """Rows of polygons with holes, in four arrays. A row is any number of polygons, as a multipolygon is.
 
-    Regions are immutable. Make them by `from_ragged`, `from_wkb`, `from_shapely` or `from_arrow`, or get them as results.
+    Regions are immutable. `from_ragged`, `from_wkb`, `from_shapely` and `from_arrow` make them, and functions return them.
     Row ``r`` has the polygons ``row_offsets[r]`` to ``row_offsets[r + 1] - 1``, a polygon has rings, and a ring has
     points. The first ring of a polygon of a result is its outer ring, counter-clockwise; the others are its holes,
     clockwise. A ring of a result does not repeat its first point at its end; rings of operands may.
@@ -67,7 +68,8 @@ class Regions:
 
     __slots__ = ("__weakref__", "_core", "_hash")
 
-    _core: _core.Arrays
+    _core: Arrays
+    _hash: int | None
 
     def __init__(self) -> None:
         raise TypeError("make Regions by from_ragged, from_wkb, from_shapely or from_arrow")
@@ -154,11 +156,12 @@ class Regions:
         return self._core.same(other._core)
 
     def __hash__(self) -> int:
-        if self._hash is None:
+        value = self._hash
+        if value is None:
             plain = self.points + 0.0  # -0.0 becomes 0.0
             value = hash((plain.tobytes(), self.ring_offsets.tobytes(), self.row_offsets.tobytes()))
             object.__setattr__(self, "_hash", value)
-        return int(self._hash)
+        return value
 
     def __repr__(self) -> str:
         def count(number: int, name: str) -> str:
@@ -228,9 +231,7 @@ class Regions:
             raise ValueError(f"encoding {encoding!r}: expected 'multipolygon' or 'polygon'")
         if coordinates not in ("interleaved", "separate"):
             raise ValueError(f"coordinates {coordinates!r}: expected 'interleaved' or 'separate'")
-        column = _core.arrow_column(
-            self._core, encoding == "multipolygon", coordinates == "interleaved"
-        )
+        column = _core.arrow_column(self._core, encoding == "multipolygon", coordinates == "interleaved")
         return ArrowColumn(column)
 
     def __arrow_c_schema__(self) -> object:

@@ -277,6 +277,4 @@ def spread(regions: Regions, places: npt.NDArray[np.int64], count: int) -> Regio
     polygons = np.zeros(count + 1, dtype=np.int32)
     polygons[places + 1] = np.diff(regions.row_offsets)
     rows = np.cumsum(polygons, dtype=np.int32)
-    return Regions._of(
-        _core.arrays(regions.points, regions.ring_offsets, regions.polygon_offsets, rows)
-    )
+    return Regions._of(_core.arrays(regions.points, regions.ring_offsets, regions.polygon_offsets, rows))

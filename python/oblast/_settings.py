@@ -12,10 +12,7 @@ from oblast import _core
 __all__ = ["FillRule", "Progress", "Statistics", "Workspace", "settings_of", "statistics"]
 
 Progress = bool | Callable[[float], object]
-FillRule = (
-    Literal["polygons", "even_odd", "nonzero", "positive", "negative"]
-    | tuple[Literal["at_least"], int]
-)
+FillRule = Literal["polygons", "even_odd", "nonzero", "positive", "negative"] | tuple[Literal["at_least"], int]
 
 _FILL_KINDS = ("polygons", "at_least", "even_odd", "nonzero", "positive", "negative")
 ENGINES = ("leonov_nikitin", "vatti", "skvortsov")
@@ -92,9 +89,7 @@ class Statistics:
             setattr(self, name, getattr(self, name) + getattr(call, name))
         self.rounds = max(self.rounds, call.rounds)
         self.largest_displacement = max(self.largest_displacement, call.largest_displacement)
-        self.largest_displacement_ulps = max(
-            self.largest_displacement_ulps, call.largest_displacement_ulps
-        )
+        self.largest_displacement_ulps = max(self.largest_displacement_ulps, call.largest_displacement_ulps)
         for index, stage in enumerate(STAGES):
             self.seconds[stage] += call.seconds(index)
 
@@ -106,9 +101,7 @@ class Statistics:
         )
 
 
-_collecting: contextvars.ContextVar[Statistics | None] = contextvars.ContextVar(
-    "statistics", default=None
-)
+_collecting: contextvars.ContextVar[Statistics | None] = contextvars.ContextVar("statistics", default=None)
 
 
 @contextlib.contextmanager
@@ -223,8 +216,4 @@ def settings_of(
     usual = threads is None and not progress and workspace is None and most_bytes == 0
     if usual and not fill and engine == "leonov_nikitin" and not (touching or minimal) and collected is None:
         return contextlib.nullcontext(_USUAL)
-    return _watched(
-        threads, progress, workspace, most_bytes, fill, engine, touching, minimal, collected
-    )
-
-
+    return _watched(threads, progress, workspace, most_bytes, fill, engine, touching, minimal, collected)

@@ -24,9 +24,7 @@ def _flat(geometries: npt.NDArray[np.object_]) -> npt.NDArray[np.object_]:
     empty = (types == _MISSING) | shapely.is_empty(geometries)
     wrong = np.flatnonzero(odd & ~empty)
     if len(wrong):
-        raise TypeError(
-            f"row {wrong[0]} is a {geometries[wrong[0]].geom_type}; expected Polygon, MultiPolygon or None"
-        )
+        raise TypeError(f"row {wrong[0]} is a {geometries[wrong[0]].geom_type}; expected Polygon, MultiPolygon or None")
     geometries = geometries.copy()
     geometries[odd] = shapely.Polygon()
     return geometries
@@ -40,7 +38,7 @@ def from_shapely(geometries: Any, z: ZRule = "warn") -> Regions:
         return Regions._of(_core.arrays(np.empty((0, 2)), zero, zero, zero))
     has_z = bool(shapely.has_z(array).any() or shapely.has_m(array).any())
     z_left_out(has_z, z, stacklevel=4)
-    kind, points, offsets = shapely.to_ragged_array(array, include_z=False, include_m=False)
+    _, points, offsets = shapely.to_ragged_array(array, include_z=False, include_m=False)
     rings, polygons, *rows = (np.asarray(part, dtype=np.int32) for part in offsets)
     parts = rows[0] if rows else np.arange(len(polygons), dtype=np.int32)
     return without_empty_polygons(np.ascontiguousarray(points), rings, polygons, parts)

@@ -59,7 +59,7 @@ def test_the_interpreter_is_free_during_a_call() -> None:
         lambda: oblast.overlay_pairs(tangle(SLOW), square()),
     ],
 )
-def test_ctrl_c_stops_a_call(call) -> None:  # type: ignore[no-untyped-def]
+def test_ctrl_c_stops_a_call(call) -> None:
     # Signals until the call has ended: one may arrive before it began.
     stop = threading.Event()
 
@@ -103,7 +103,7 @@ def test_progress_bar(capsys: pytest.CaptureFixture[str]) -> None:
     assert "100%" in capsys.readouterr().err
 
 
-def _in_child(queue) -> None:  # type: ignore[no-untyped-def]
+def _in_child(queue) -> None:
     rows = oblast.overlay_pairs(tangle(60), square(), [0] * 1000, [0] * 1000)
     queue.put((oblast.union_all(tangle(1500)), len(rows)))
 
@@ -140,7 +140,7 @@ def _raise() -> None:
         _raise,
     ],
 )
-def test_ten_thousand_calls_keep_no_memory(call) -> None:  # type: ignore[no-untyped-def]
+def test_ten_thousand_calls_keep_no_memory(call) -> None:
     for _ in range(500):
         call()
     gc.collect()

@@ -19,7 +19,7 @@ TRIANGLE = [[[5, 5], [6, 5], [6, 6], [5, 5]]]
 def separate(rows: list) -> list:
     """The same rows with a dictionary a point."""
     if isinstance(rows[0], int):
-        return {"x": rows[0], "y": rows[1]}  # type: ignore[return-value]
+        return {"x": rows[0], "y": rows[1]}
     return [None if row is None else separate(row) if row else [] for row in rows]
 
 
@@ -47,7 +47,7 @@ def test_wkb_errors_name_the_row_and_the_byte() -> None:
     assert (caught.value.code, caught.value.row) == ("bad_wkb", 700)
     assert caught.value.byte is not None
     with pytest.raises(TypeError, match="geometry 1 is neither bytes nor None"):
-        oblast.from_wkb([good, "text"])  # type: ignore[list-item]
+        oblast.from_wkb([good, "text"])
 
 
 def test_shapely_both_ways() -> None:
@@ -71,7 +71,7 @@ def test_what_happens_to_z() -> None:
             convert(given, z="error")
         assert convert(given, z="drop").area == 0.5
     with pytest.raises(ValueError, match="z='no'"):
-        oblast.from_shapely(solid, z="no")  # type: ignore[arg-type]
+        oblast.from_shapely(solid, z="no")
 
 
 @pytest.mark.parametrize("large", [False, True])
@@ -144,7 +144,7 @@ def test_tables_and_wkb_columns() -> None:
 @pytest.mark.parametrize("coordinates", ["interleaved", "separate"])
 def test_arrow_out(coordinates: str) -> None:
     rows = with_hole()
-    column = rows.to_arrow("multipolygon", coordinates)  # type: ignore[arg-type]
+    column = rows.to_arrow("multipolygon", coordinates)
     array = pa.array(column)
     array.validate(full=True)
     field = pa.field(column)
@@ -152,7 +152,7 @@ def test_arrow_out(coordinates: str) -> None:
     assert oblast.union_all(array) == oblast.union_all(rows)
     assert oblast.from_arrow(column).row_offsets.tolist() == rows.row_offsets.tolist()
     assert pa.chunked_array(column).chunk(0).equals(array)
-    single = pa.array(rows[:2].to_arrow("polygon", coordinates))  # type: ignore[arg-type]
+    single = pa.array(rows[:2].to_arrow("polygon", coordinates))
     single.validate(full=True)
     assert [len(row) for row in single.to_pylist()] == [2, 0]
     with pytest.raises(ValueError, match="row 2 has several polygons"):

@@ -31,7 +31,7 @@ def near(a: float, b: float) -> bool:
 @SOME
 @given(layers(), layers())
 def test_results_are_valid_and_areas_add_up(a: oblast.Regions, b: oblast.Regions) -> None:
-    parts = {how: oblast.overlay(a, b, how) for how in ("intersection", "union", "difference", "symmetric_difference")}  # type: ignore[arg-type]
+    parts = {how: oblast.overlay(a, b, how) for how in ("intersection", "union", "difference", "symmetric_difference")}
     for part in parts.values():
         assert oblast.check(part, canonical=True)
         assert oblast.union_all(part) == part
@@ -44,7 +44,7 @@ def test_results_are_valid_and_areas_add_up(a: oblast.Regions, b: oblast.Regions
 
 @SOME
 @given(layers(), st.randoms())
-def test_the_order_of_rows_does_not_matter(a: oblast.Regions, random) -> None:  # type: ignore[no-untyped-def]
+def test_the_order_of_rows_does_not_matter(a: oblast.Regions, random) -> None:
     order = list(range(len(a)))
     random.shuffle(order)
     assert oblast.union_all(a[order]) == oblast.union_all(a)

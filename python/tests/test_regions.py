@@ -31,7 +31,7 @@ def test_results_are_viewed_and_read_only() -> None:
     for array in (r.points, r.ring_offsets, r.polygon_offsets, r.row_offsets):
         assert not array.flags.writeable
     with pytest.raises(AttributeError, match="immutable"):
-        r.points = 1  # type: ignore[misc,assignment]
+        r.points = 1
 
 
 def test_views_outlive_their_regions() -> None:

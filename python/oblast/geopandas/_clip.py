@@ -19,9 +19,7 @@ from oblast.geopandas._overlay import _boxes_meet, _warn_of_crs
 _NEAR = 1e-9
 
 
-def clip(
-    gdf: Any, mask: Any, keep_geom_type: bool = False, sort: bool = False
-) -> GeoDataFrame | GeoSeries:
+def clip(gdf: Any, mask: Any, keep_geom_type: bool = False, sort: bool = False) -> GeoDataFrame | GeoSeries:
     """Clip each row by a mask, as `geopandas.clip` does.
 
     Passed on to geopandas, and counted by `oblast.fallbacks`: geometries other than polygons, Z and M. Rows that meet
@@ -117,9 +115,7 @@ def _in_order_of_geopandas(
     return rows[np.argsort(rank[rows], kind="stable")]
 
 
-def _with_geometry(
-    gdf: Any, rows: npt.NDArray[np.int64], shapes: npt.NDArray[np.object_]
-) -> GeoDataFrame | GeoSeries:
+def _with_geometry(gdf: Any, rows: npt.NDArray[np.int64], shapes: npt.NDArray[np.object_]) -> GeoDataFrame | GeoSeries:
     taken = gdf.iloc[rows].copy()
     if isinstance(gdf, GeoSeries):
         return GeoSeries(shapes, index=taken.index, crs=gdf.crs, name=gdf.name)

@@ -104,7 +104,7 @@ def _united(df: GeoDataFrame, geometries: npt.NDArray[np.object_], grouping: dic
     place = "__oblast_row"
     table[place] = np.arange(len(df))
     grouped = table.groupby(**grouping)
-    numbers = grouped.ngroup().to_numpy()
+    numbers = grouped.ngroup().fillna(-1).to_numpy().astype(np.int64)
     first = grouped[place].agg(lambda rows: rows.iloc[0] if len(rows) else -1)
     used = np.flatnonzero(numbers >= 0)
     shapes = np.full(len(first), shapely.GeometryCollection(), dtype=object)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import TracebackType
-from typing import Any
+from typing import Any, Self
 
 import geopandas
 import geopandas.tools
@@ -21,7 +21,7 @@ __all__ = ["Installed", "install", "uninstall"]
 class Installed:
     """What `install` returns: as a context manager it ends with `uninstall`."""
 
-    def __enter__(self) -> Installed:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(

@@ -23,10 +23,8 @@ class Originals(NamedTuple):
 
 @lru_cache(maxsize=1)
 def originals() -> Originals:
-    """geopandas' functions. Called first when `oblast.geopandas` is imported."""
-    return Originals(
-        geopandas.overlay, geopandas.clip, GeoDataFrame.dissolve, GeometryArray.union_all
-    )
+    """Geopandas' functions. Called first when `oblast.geopandas` is imported."""
+    return Originals(geopandas.overlay, geopandas.clip, GeoDataFrame.dissolve, GeometryArray.union_all)
 
 
 originals()

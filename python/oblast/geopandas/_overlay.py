@@ -23,9 +23,7 @@ HOWS = ("intersection", "union", "identity", "symmetric_difference", "difference
 def overlay(
     df1: GeoDataFrame,
     df2: GeoDataFrame,
-    how: Literal[
-        "intersection", "union", "identity", "symmetric_difference", "difference"
-    ] = "intersection",
+    how: Literal["intersection", "union", "identity", "symmetric_difference", "difference"] = "intersection",
     keep_geom_type: bool | None = None,
     make_valid: bool = True,
 ) -> GeoDataFrame:
@@ -59,7 +57,8 @@ def overlay(
     geometries = array_of(df1.geometry), array_of(df2.geometry)
     if how == "intersection" and not _boxes_meet(df1.total_bounds, df2.total_bounds):
         return _nothing(df1, df2)
-    rows = overlay_features(*map(regions_of_column, geometries), how)
+    left, right = map(regions_of_column, geometries)
+    rows = overlay_features(left, right, how)
     order = _order(rows.a, rows.b)
     i, j = rows.a[order], rows.b[order]
     shapes = rows.regions.to_shapely()[order]
@@ -134,11 +133,11 @@ def _warn_of_dropped(count: int) -> None:
 def _attributes(frame: GeoDataFrame, rows: Indices) -> pd.DataFrame:
     """The columns without the geometry, by row; missing values where the row is -1."""
     plain = pd.DataFrame(frame.drop(columns=frame.geometry.name)).reset_index(drop=True)
-    taken = plain.reindex(rows) if (rows < 0).any() else plain.take(rows)
+    taken: pd.DataFrame = plain.reindex(rows) if (rows < 0).any() else plain.take(rows)
     return taken.reset_index(drop=True)
 
 
-def _suffixed(df1: GeoDataFrame, df2: GeoDataFrame, left: Any, right: Any) -> pd.DataFrame:
+def _suffixed(left: pd.DataFrame, right: pd.DataFrame) -> pd.DataFrame:
     both = set(left.columns) & set(right.columns)
     left.columns = [f"{c}_1" if c in both else c for c in left.columns]
     right.columns = [f"{c}_2" if c in both else c for c in right.columns]
@@ -146,7 +145,7 @@ def _suffixed(df1: GeoDataFrame, df2: GeoDataFrame, left: Any, right: Any) -> pd
 
 
 def _joined(df1: Any, df2: Any, i: Indices, j: Indices, shapes: npt.NDArray[np.object_]) -> GeoDataFrame:
-    table = _suffixed(df1, df2, _attributes(df1, i), _attributes(df2, j))
+    table = _suffixed(_attributes(df1, i), _attributes(df2, j))
     table = table.drop(columns="geometry", errors="ignore")
     return GeoDataFrame(table, geometry=geopandas.GeoSeries(shapes, crs=df1.crs), crs=df1.crs)
 
@@ -154,7 +153,7 @@ def _joined(df1: Any, df2: Any, i: Indices, j: Indices, shapes: npt.NDArray[np.o
 def _nothing(df1: GeoDataFrame, df2: GeoDataFrame) -> GeoDataFrame:
     """No rows, and the name of the geometry of the first layer, as geopandas has it."""
     none = np.empty(0, dtype=np.int64)
-    table = _suffixed(df1, df2, _attributes(df1, none), _attributes(df2, none))
+    table = _suffixed(_attributes(df1, none), _attributes(df2, none))
     name = df1.geometry.name
     table[name] = geopandas.GeoSeries([], crs=df1.crs)
     return GeoDataFrame(table, geometry=name, crs=df1.crs)

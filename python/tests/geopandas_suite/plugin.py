@@ -19,8 +19,21 @@ import oblast.geopandas
 
 DATA = pathlib.Path(os.environ["OBLAST_SHARED"]).resolve() / "geopandas"
 
+OVERLAPPING_ROWS = (
+    "rows of one layer overlap: both get a vertex where their borders cross, so that borders that rows of the result "
+    "share are the same vertices; the regions are the same"
+)
 # What differs, and why. A test that is listed and passes is an error, too.
-DIFFERS: dict[str, str] = {}
+DIFFERS: dict[str, str] = {
+    "test_overlay.py::test_overlay_overlap[union]": OVERLAPPING_ROWS,
+    "test_overlay.py::test_overlay_overlap[intersection]": OVERLAPPING_ROWS,
+    "test_overlay.py::test_overlay_overlap[difference]": OVERLAPPING_ROWS,
+    "test_overlay.py::test_overlay_overlap[symmetric_difference]": OVERLAPPING_ROWS,
+    "test_overlay.py::test_keep_geom_type_geometry_collection": (
+        "keep_geom_type=None: a pair that has an area, and touches elsewhere, is not in the warning's count; "
+        "the rows are the same"
+    ),
+}
 
 
 def _point_at_data() -> None:
