@@ -40,7 +40,7 @@ class ArrowColumn:
 class Regions:
     """Rows of polygons with holes, in four arrays. A row is any number of polygons, as a multipolygon is.
 
-    Regions are immutable. `from_ragged`, `from_wkb`, `from_shapely` and `from_arrow` make them, and functions return them.
+    Regions are immutable. `from_ragged`, `from_wkb`, `from_shapely` and `from_arrow` make them; functions return them.
     Row ``r`` has the polygons ``row_offsets[r]`` to ``row_offsets[r + 1] - 1``, a polygon has rings, and a ring has
     points. The first ring of a polygon of a result is its outer ring, counter-clockwise; the others are its holes,
     clockwise. A ring of a result does not repeat its first point at its end; rings of operands may.
@@ -75,7 +75,7 @@ class Regions:
         raise TypeError("make Regions by from_ragged, from_wkb, from_shapely or from_arrow")
 
     @classmethod
-    def _of(cls, arrays: _core.Arrays) -> Regions:
+    def _of(cls, arrays: Arrays) -> Regions:
         made = object.__new__(cls)
         object.__setattr__(made, "_core", arrays)
         object.__setattr__(made, "_hash", None)
