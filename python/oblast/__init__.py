@@ -17,12 +17,11 @@ from oblast._overlay import (
     difference,
     intersection,
     overlay,
-    overlay_pairs,
-    repair,
     symmetric_difference,
     union,
     union_all,
 )
+from oblast._pairs import overlay_pairs, repair
 from oblast._queries import Locator, Report, Triangulation, check, hull, triangulate
 from oblast._regions import ArrowColumn, Regions
 from oblast._rows import (

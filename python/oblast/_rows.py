@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from oblast import _core
 from oblast._convert import Operand, from_ragged, regions_of
-from oblast._overlay import groups_of, overlay_pairs, union_all
+from oblast._overlay import groups_of, union_all
+from oblast._pairs import overlay_pairs
 from oblast._regions import Regions
 from oblast._settings import Progress, settings_of
 

@@ -140,26 +140,32 @@ Arrays opened(const Arrays& rows) {
 
 void bind_arrays(nb::module_& module) {
   nb::class_<Arrays>(module, "Arrays", "Points and offsets that the library reads; oblast.Regions holds one.")
-      .def_prop_ro("points", [](nb::handle self) { return points_of(self); },
-                   nb::sig("def points(self) -> numpy.typing.NDArray[numpy.float64]"))
-      .def_prop_ro("ring_offsets",
-                   [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).ring_offsets); },
-                   nb::sig("def ring_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
-      .def_prop_ro("polygon_offsets",
-                   [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).polygon_offsets); },
-                   nb::sig("def polygon_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
-      .def_prop_ro("row_offsets",
-                   [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).row_offsets); },
-                   nb::sig("def row_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
+      .def_prop_ro(
+          "points", [](nb::handle self) { return points_of(self); },
+          nb::sig("def points(self) -> numpy.typing.NDArray[numpy.float64]"))
+      .def_prop_ro(
+          "ring_offsets", [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).ring_offsets); },
+          nb::sig("def ring_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
+      .def_prop_ro(
+          "polygon_offsets",
+          [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).polygon_offsets); },
+          nb::sig("def polygon_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
+      .def_prop_ro(
+          "row_offsets", [](nb::handle self) { return view_of(self, nb::cast<const Arrays&>(self).row_offsets); },
+          nb::sig("def row_offsets(self) -> numpy.typing.NDArray[numpy.int32]"))
       .def("row_count", &Arrays::row_count)
       .def("opened", &opened)
       .def("same", &same_arrays, nb::arg("other"))
-      .def("take", [](const Arrays& self,
-                      const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& rows) {
-        return take_rows(self, {rows.data(), rows.shape(0)});
-      }, nb::arg("rows"), nb::sig("def take(self, rows: numpy.typing.NDArray[numpy.int64]) -> Arrays"));
-  module.def("concatenate", [](const std::vector<const Arrays*>& parts) { return concatenate(parts); }, nb::arg("parts"),
-             nb::sig("def concatenate(parts: list[Arrays]) -> Arrays"));
+      .def(
+          "take",
+          [](const Arrays& self,
+             const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& rows) {
+            return take_rows(self, {rows.data(), rows.shape(0)});
+          },
+          nb::arg("rows"), nb::sig("def take(self, rows: numpy.typing.NDArray[numpy.int64]) -> Arrays"));
+  module.def(
+      "concatenate", [](const std::vector<const Arrays*>& parts) { return concatenate(parts); }, nb::arg("parts"),
+      nb::sig("def concatenate(parts: list[Arrays]) -> Arrays"));
   module.def("arrays", &from_numpy, nb::arg("points"), nb::arg("ring_offsets"), nb::arg("polygon_offsets"),
              nb::arg("row_offsets"),
              nb::sig("def arrays(points: numpy.typing.NDArray[numpy.float64], "

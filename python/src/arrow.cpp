@@ -1,7 +1,7 @@
 // The Arrow PyCapsule protocol, in and out.
-#include "bindings.h"
 #include "arrow_column.h"
 #include "arrow_geometry.h"
+#include "bindings.h"
 
 namespace oblast::python {
 
@@ -104,9 +104,12 @@ void bind_arrow(nb::module_& module) {
       .def("schema", &schema_capsule, nb::sig("def schema(self) -> object"))
       .def("array", &array_capsules, nb::sig("def array(self) -> tuple[object, object]"))
       .def("stream", &stream_capsule, nb::sig("def stream(self) -> object"));
-  module.def("arrow_column", [](const Arrays& rows, bool multipolygon, bool interleaved) {
-    return Exported{make_column(rows, multipolygon, interleaved)};
-  }, nb::arg("rows"), nb::arg("multipolygon"), nb::arg("interleaved"));
+  module.def(
+      "arrow_column",
+      [](const Arrays& rows, bool multipolygon, bool interleaved) {
+        return Exported{make_column(rows, multipolygon, interleaved)};
+      },
+      nb::arg("rows"), nb::arg("multipolygon"), nb::arg("interleaved"));
   module.def("from_arrow_array", &from_array, nb::arg("schema"), nb::arg("array"), nb::arg("column"),
              nb::arg("settings"),
              nb::sig("def from_arrow_array(schema: object, array: object, column: str, settings: Settings) -> "

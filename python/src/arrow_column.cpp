@@ -1,6 +1,6 @@
 #include "arrow_column.h"
 
-#include <cstring>
+#include <cerrno>
 #include <string>
 
 namespace oblast::python {
@@ -82,21 +82,34 @@ std::string extension(const std::string& name) {
   return bytes;
 }
 
-std::vector<std::int32_t> signed_copy(std::span<const std::uint32_t> offsets) { return {offsets.begin(), offsets.end()}; }
+std::vector<std::int32_t> signed_copy(std::span<const std::uint32_t> offsets) {
+  return {offsets.begin(), offsets.end()};
+}
 
 ArrowArray* new_points(const std::shared_ptr<const ArrowColumn>& column) {
   const auto count = static_cast<std::size_t>(column->rings.back());
   if (column->interleaved)
     return new_array(column, count, {nullptr}, {new_array(column, 2 * count, {nullptr, column->x.data()})});
-  return new_array(column, count, {nullptr},
-                   {new_array(column, count, {nullptr, column->x.data()}),
-                    new_array(column, count, {nullptr, column->y.data()})});
+  return new_array(
+      column, count, {nullptr},
+      {new_array(column, count, {nullptr, column->x.data()}), new_array(column, count, {nullptr, column->y.data()})});
 }
 
 struct StreamData {
   std::shared_ptr<const ArrowColumn> column;
   bool ended = false;
 };
+
+// What C calls must not throw.
+template <class Work>
+int code_of(const Work& work) {
+  try {
+    work();
+    return 0;
+  } catch (...) {
+    return ENOMEM;
+  }
+}
 
 StreamData& data_of(ArrowArrayStream* stream) { return *static_cast<StreamData*>(stream->private_data); }
 
@@ -112,9 +125,9 @@ std::shared_ptr<const ArrowColumn> make_column(const Arrays& rows, bool multipol
     std::vector<std::int32_t> ends{0};
     for (std::size_t r = 0; r < rows.row_count(); ++r) {
       if (column->rows[r + 1] - column->rows[r] > 1)
-        throw nb::value_error(("row " + std::to_string(r) +
-                               " has several polygons: use encoding='multipolygon', or explode() first")
-                                  .c_str());
+        throw nb::value_error(
+            ("row " + std::to_string(r) + " has several polygons: use encoding='multipolygon', or explode() first")
+                .c_str());
       ends.push_back(column->polygons[static_cast<std::size_t>(column->rows[r + 1])]);
     }
     column->polygons = std::move(ends);
@@ -145,7 +158,8 @@ void export_schema(const ArrowColumn& column, ArrowSchema& out) {
 }
 
 void export_array(const std::shared_ptr<const ArrowColumn>& column, ArrowArray& out) {
-  ArrowArray* rings = new_array(column, column->rings.size() - 1, {nullptr, column->rings.data()}, {new_points(column)});
+  ArrowArray* rings =
+      new_array(column, column->rings.size() - 1, {nullptr, column->rings.data()}, {new_points(column)});
   const std::size_t polygons = column->polygons.size() - 1;
   if (column->multipolygon) {
     ArrowArray* parts = new_array(column, polygons, {nullptr, column->polygons.data()}, {rings});
@@ -159,15 +173,15 @@ void export_stream(const std::shared_ptr<const ArrowColumn>& column, ArrowArrayS
   out = {};
   out.private_data = new StreamData{column};
   out.get_schema = [](ArrowArrayStream* stream, ArrowSchema* schema) {
-    export_schema(*data_of(stream).column, *schema);
-    return 0;
+    return code_of([&] { export_schema(*data_of(stream).column, *schema); });
   };
   out.get_next = [](ArrowArrayStream* stream, ArrowArray* array) {
-    StreamData& data = data_of(stream);
     *array = {};
-    if (!data.ended) export_array(data.column, *array);
-    data.ended = true;
-    return 0;
+    return code_of([&] {
+      StreamData& data = data_of(stream);
+      if (!data.ended) export_array(data.column, *array);
+      data.ended = true;
+    });
   };
   out.get_last_error = [](ArrowArrayStream*) -> const char* { return nullptr; };
   out.release = [](ArrowArrayStream* stream) {

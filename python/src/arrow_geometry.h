@@ -29,8 +29,8 @@ GeometryColumn geometry_column(const ArrowSchema& schema, const std::string& nam
 
 using ArrowOwner = std::shared_ptr<const ArrowArray>;
 
-/// The rows of one chunk. Interleaved coordinates are viewed, and `chunk` is kept alive; separate ones are copied. A null
-/// is a row without polygons. `has_z` becomes true if Z or M was left out.
+/// The rows of one chunk. Interleaved coordinates are viewed, and `chunk` is kept alive; separate ones are copied. A
+/// null is a row without polygons. `has_z` becomes true if Z or M was left out.
 Arrays rows_of_chunk(const ArrowOwner& chunk, const GeometryColumn& column, const Settings& settings, bool& has_z);
 
 }  // namespace oblast::python

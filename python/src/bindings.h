@@ -16,6 +16,7 @@ namespace oblast::python {
 
 namespace nb = nanobind;
 
+void bind_settings(nb::module_& module);
 void bind_overlays(nb::module_& module);
 void bind_rows(nb::module_& module);
 void bind_pairs(nb::module_& module);
@@ -29,8 +30,7 @@ nb::object numpy_of(std::vector<T>&& values, std::size_t width) {
   auto* owned = new std::vector<T>(std::move(values));
   const nb::capsule owner(owned, [](void* p) noexcept { delete static_cast<std::vector<T>*>(p); });
   auto* data = reinterpret_cast<Element*>(owned->data());
-  if (width == 1)
-    return nb::cast(nb::ndarray<nb::numpy, Element, nb::ndim<1>>(data, {owned->size()}, owner));
+  if (width == 1) return nb::cast(nb::ndarray<nb::numpy, Element, nb::ndim<1>>(data, {owned->size()}, owner));
   return nb::cast(nb::ndarray<nb::numpy, Element, nb::ndim<2>>(data, {owned->size(), width}, owner));
 }
 

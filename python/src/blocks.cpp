@@ -64,8 +64,8 @@ class Blocks {
 
 void add_row(FeatureSet& rows, const RegionView& regions) {
   RegionSet& all = rows.regions;
-  const std::uint32_t points = index_of(all.points.size() + regions.points.size()) -
-                               static_cast<std::uint32_t>(regions.points.size());
+  const std::uint32_t points =
+      index_of(all.points.size() + regions.points.size()) - static_cast<std::uint32_t>(regions.points.size());
   const auto rings = static_cast<std::uint32_t>(all.contour_ends.size());
   all.points.insert(all.points.end(), regions.points.begin(), regions.points.end());
   for (std::size_t c = 0; c < regions.contour_count(); ++c) all.contour_ends.push_back(points + regions.contour_end(c));
@@ -93,9 +93,8 @@ void for_blocks(std::size_t count, const CallOptions& common,
     for (std::size_t i = 0; i < block_count; ++i) blocks.run(i, block);
   } else {
     tbb::task_arena arena(common.threads == 0 ? tbb::task_arena::automatic : common.threads);
-    arena.execute([&] {
-      tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t i) { blocks.run(i, block); });
-    });
+    arena.execute(
+        [&] { tbb::parallel_for(std::size_t{0}, block_count, [&](std::size_t i) { blocks.run(i, block); }); });
   }
   blocks.rethrow();
 }

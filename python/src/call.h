@@ -1,4 +1,5 @@
-// How Python calls the library: without the interpreter's lock, with progress and Ctrl-C, with errors that name the row.
+// How Python calls the library: without the interpreter's lock, with progress and Ctrl-C, with errors that name the
+// row.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -42,7 +43,7 @@ void run(const Settings& settings, const Operands& operands, const Work& work, b
 /// The number of threads that a call may have: 1 in a process that was forked, because the threads of oneTBB are not
 /// copied by a fork.
 int usable_threads(int threads);
-
-void bind_settings(nb::module_& module);
+/// Called once, when the module is loaded.
+void note_forks();
 
 }  // namespace oblast::python

@@ -19,11 +19,14 @@ Locator make_locator(const Arrays& a, const Settings& settings) {
 nb::object locate(const Locator& locator, const PointsIn& points, const Settings& settings) {
   const std::span<const Point> queries{reinterpret_cast<const Point*>(points.data()), points.shape(0)};
   std::vector<std::int8_t> found(queries.size());
-  run(settings, {}, [&](const CallOptions& common) {
-    std::vector<Location> locations(queries.size());
-    locator.locate(queries, locations, common);
-    for (std::size_t i = 0; i < found.size(); ++i) found[i] = static_cast<std::int8_t>(locations[i]);
-  }, true);
+  run(
+      settings, {},
+      [&](const CallOptions& common) {
+        std::vector<Location> locations(queries.size());
+        locator.locate(queries, locations, common);
+        for (std::size_t i = 0; i < found.size(); ++i) found[i] = static_cast<std::int8_t>(locations[i]);
+      },
+      true);
   return numpy_indices(std::move(found));
 }
 

@@ -33,10 +33,14 @@ bool is_small_convex(const RegionView& regions) {
 Arrays overlay_of(const Arrays& a, const Arrays& b, int operation, const Settings& settings) {
   RegionSet result;
   const RegionView va = a.regions(), vb = b.regions();
-  const bool quick = operation == static_cast<int>(Operation::intersection) && (is_small_convex(va) || is_small_convex(vb));
-  run(settings, {&a, &b}, [&](const CallOptions& common) {
-    overlay(va, vb, static_cast<Operation>(operation), settings.with(common), result);
-  }, quick);
+  const bool quick =
+      operation == static_cast<int>(Operation::intersection) && (is_small_convex(va) || is_small_convex(vb));
+  run(
+      settings, {&a, &b},
+      [&](const CallOptions& common) {
+        overlay(va, vb, static_cast<Operation>(operation), settings.with(common), result);
+      },
+      quick);
   return from_region_set(std::move(result));
 }
 
@@ -66,10 +70,10 @@ nb::object bounds_of(const Arrays& a, const Settings& settings) {
 }
 
 constexpr const char* fault_names[] = {
-    "bad_offsets",     "not_finite",    "out_of_domain",  "too_few_vertices", "repeated_vertex",
-    "edges_cross",     "vertex_on_edge", "edges_overlap", "touches_itself",   "wrong_side",
-    "outer_is_not_first", "hole_is_outer", "other_polygon", "not_connected",  "negative_zero",
-    "wrong_start",     "holes_out_of_order", "polygons_out_of_order"};
+    "bad_offsets",        "not_finite",         "out_of_domain",        "too_few_vertices", "repeated_vertex",
+    "edges_cross",        "vertex_on_edge",     "edges_overlap",        "touches_itself",   "wrong_side",
+    "outer_is_not_first", "hole_is_outer",      "other_polygon",        "not_connected",    "negative_zero",
+    "wrong_start",        "holes_out_of_order", "polygons_out_of_order"};
 
 nb::tuple place_of(const Place& place, const Arrays& a) {
   const auto index = [](std::size_t i) { return i == Place::npos ? nb::none() : nb::object(nb::int_(i)); };

@@ -22,8 +22,8 @@ constexpr std::size_t least_stopped_vertices = 500;
 void require_below(const Indices& indices, std::size_t count, const char* name) {
   for (std::size_t k = 0; k < indices.shape(0); ++k)
     if (indices.data()[k] < 0 || static_cast<std::size_t>(indices.data()[k]) >= count)
-      throw nb::index_error((std::string(name) + "[" + std::to_string(k) + "] is " +
-                             std::to_string(indices.data()[k]) + ", but there are " + std::to_string(count) + " rows")
+      throw nb::index_error((std::string(name) + "[" + std::to_string(k) + "] is " + std::to_string(indices.data()[k]) +
+                             ", but there are " + std::to_string(count) + " rows")
                                 .c_str());
 }
 

@@ -15,7 +15,7 @@ using Groups = nb::ndarray<const std::uint32_t, nb::ndim<1>, nb::c_contig, nb::d
 std::span<const std::uint32_t> span_of(const Groups& groups) { return {groups.data(), groups.shape(0)}; }
 
 // One member of each key, as signed numbers: -1 where there is no row.
-nb::object keys_of(const std::vector<FeatureKey>& keys, std::uint32_t FeatureKey::* member) {
+nb::object keys_of(const std::vector<FeatureKey>& keys, std::uint32_t FeatureKey::*member) {
   std::vector<std::int64_t> indices;
   indices.reserve(keys.size());
   for (const FeatureKey& key : keys)
@@ -26,8 +26,8 @@ nb::object keys_of(const std::vector<FeatureKey>& keys, std::uint32_t FeatureKey
 nb::tuple overlay_features_of(const Arrays& a, const Arrays& b, int operation, const Settings& settings) {
   FeatureSet rows;
   run(settings, {&a, &b}, [&](const CallOptions& common) {
-    rows = overlay_features(a.features(), b.features(), static_cast<FeatureOperation>(operation),
-                            settings.with(common));
+    rows =
+        overlay_features(a.features(), b.features(), static_cast<FeatureOperation>(operation), settings.with(common));
   });
   nb::object i = keys_of(rows.keys, &FeatureKey::a), j = keys_of(rows.keys, &FeatureKey::b);
   return nb::make_tuple(from_features(std::move(rows)), i, j);
@@ -35,17 +35,15 @@ nb::tuple overlay_features_of(const Arrays& a, const Arrays& b, int operation, c
 
 Arrays dissolve_of(const Arrays& a, const Groups& groups, const Settings& settings) {
   FeatureSet rows;
-  run(settings, {&a}, [&](const CallOptions& common) {
-    rows = dissolve(a.features(), span_of(groups), settings.with(common));
-  });
+  run(settings, {&a},
+      [&](const CallOptions& common) { rows = dissolve(a.features(), span_of(groups), settings.with(common)); });
   return from_features(std::move(rows));
 }
 
 nb::tuple depth_of(const Arrays& a, const Groups& groups, const Settings& settings) {
   FeatureSet rows;
-  run(settings, {&a}, [&](const CallOptions& common) {
-    rows = depth(a.features(), span_of(groups), settings.with(common));
-  });
+  run(settings, {&a},
+      [&](const CallOptions& common) { rows = depth(a.features(), span_of(groups), settings.with(common)); });
   nb::object depths = keys_of(rows.keys, &FeatureKey::a);
   return nb::make_tuple(from_features(std::move(rows)), depths);
 }
@@ -72,8 +70,9 @@ void bind_rows(nb::module_& module) {
              nb::arg("settings"),
              nb::sig("def overlay_features(a: Arrays, b: Arrays, operation: int, settings: Settings) -> "
                      "tuple[Arrays, numpy.typing.NDArray[numpy.int64], numpy.typing.NDArray[numpy.int64]]"));
-  module.def("dissolve", &dissolve_of, nb::arg("a"), nb::arg("groups"), nb::arg("settings"),
-             nb::sig("def dissolve(a: Arrays, groups: numpy.typing.NDArray[numpy.uint32], settings: Settings) -> Arrays"));
+  module.def(
+      "dissolve", &dissolve_of, nb::arg("a"), nb::arg("groups"), nb::arg("settings"),
+      nb::sig("def dissolve(a: Arrays, groups: numpy.typing.NDArray[numpy.uint32], settings: Settings) -> Arrays"));
   module.def("depth", &depth_of, nb::arg("a"), nb::arg("groups"), nb::arg("settings"),
              nb::sig("def depth(a: Arrays, groups: numpy.typing.NDArray[numpy.uint32], settings: Settings) -> "
                      "tuple[Arrays, numpy.typing.NDArray[numpy.int64]]"));

@@ -17,8 +17,7 @@ bool has_more_than_two_dimensions(Wkb bytes) {
   if (bytes.size() < 5) return false;
   const bool little = bytes[0] == std::byte{1};
   std::uint32_t type = 0;
-  for (int i = 0; i < 4; ++i)
-    type |= std::to_integer<std::uint32_t>(bytes[1 + i]) << (8 * (little ? i : 3 - i));
+  for (int i = 0; i < 4; ++i) type |= std::to_integer<std::uint32_t>(bytes[1 + i]) << (8 * (little ? i : 3 - i));
   return (type & 0xc0000000U) != 0 || (type & 0x0fffffffU) >= 1000;
 }
 
