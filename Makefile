@@ -1,6 +1,6 @@
 # What a person types. Everything is done by CMake, CTest and the scripts in tools/.
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test package tiny golden sanitize thread format lint bench fuzz clean
+.PHONY: help install build demo test python package tiny golden sanitize thread format lint bench fuzz clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 12
@@ -18,6 +18,10 @@ demo:  ## the program alone is built; a month of fires is generated, united, che
 
 test: build  ## every test, with totals
 	@tools/test release
+
+python:  ## the Python package: a wheel in build/python/dist, installed into build/python/venv, and its tests
+	@tools/install --python
+	@tools/python
 
 golden: install  ## writes the golden digests anew: after a change of bytes that is meant (CONTRIBUTING.md)
 	@tools/golden --write

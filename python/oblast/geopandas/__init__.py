@@ -1,0 +1,18 @@
+"""A drop-in for geopandas: overlay, dissolve, union_all and clip with its signatures and semantics.
+
+>>> from oblast import geopandas as og
+>>> import geopandas, shapely
+>>> a = geopandas.GeoDataFrame({"name": ["a"]}, geometry=[shapely.box(0, 0, 2, 2)])
+>>> b = geopandas.GeoDataFrame({"name": ["b"]}, geometry=[shapely.box(1, 1, 3, 3)])
+>>> og.overlay(a, b, how="identity")[["name_1", "name_2"]].values.tolist()
+[['a', 'b'], ['a', nan]]
+
+What is not oblast's is answered by geopandas itself, and counted by `oblast.fallbacks`.
+"""
+
+from oblast.geopandas._clip import clip
+from oblast.geopandas._dissolve import dissolve, union_all
+from oblast.geopandas._install import Installed, install, uninstall
+from oblast.geopandas._overlay import overlay
+
+__all__ = ["Installed", "clip", "dissolve", "install", "overlay", "uninstall", "union_all"]
