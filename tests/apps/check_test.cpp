@@ -101,7 +101,7 @@ TEST(CheckFeatures, AnOrdinaryCoverageIsValid) {
   const ProgramRun coverage = oblast_program({"check", "-", "--coverage"}, two);
   EXPECT_EQ(coverage.code, 0);
   EXPECT_EQ(coverage.out, "valid coverage: 2 features, 2 parts, 2 rings, 8 vertices\n");
-  // As one region set it is not valid, nor are its rows canonical by chance.
+  // As one region set it is not valid, for the squares share an edge. As rows they fit together.
   EXPECT_EQ(oblast_program({"check", "-", "--regions"}, two).code, 1);
   EXPECT_EQ(oblast_program({"check", "-", "--rows"}, two).code, 0);
 }

@@ -1,6 +1,6 @@
 """Compares the faults that `oblast check` finds with those of GEOS.
 
-    check_beside_geos.py PROGRAM [--shared FOLDER]
+    check_beside_geos.py PROGRAM [--shared FOLDER] [--random N]
 
 Features: GEOS' `is_valid_reason` names one fault of a feature, the program all. Both must call the same features valid.
 Coverages: GEOS' `coverage_invalid_edges` marks features whose borders do not match; the program's overlaps, T-junctions and
@@ -11,6 +11,7 @@ import argparse
 import collections
 import json
 import pathlib
+import random
 import re
 import subprocess
 import sys
@@ -66,6 +67,28 @@ def file_layers(path, folder):
         yield f"{path.name}:{layer}", own, {number + 1: shape for number, shape in enumerate(shapes.values())}
 
 
+def random_features(number, seed):
+    """Polygons and multipolygons on a coarse grid, where everything that can touch does; rings may be anything."""
+    draw = random.Random(seed)
+
+    def ring(size):
+        points = [(draw.randrange(size), draw.randrange(size)) for _ in range(draw.choice((3, 3, 4, 4, 5, 6, 8)))]
+        return "(" + ", ".join(f"{x} {y}" for x, y in [*points, points[0]]) + ")"
+
+    def box(size):
+        x, y = draw.randrange(size), draw.randrange(size)
+        w, h = draw.randrange(1, size), draw.randrange(1, size)
+        return f"({x} {y}, {x + w} {y}, {x + w} {y + h}, {x} {y + h}, {x} {y})"
+
+    def polygon():
+        size = draw.choice((4, 6, 9, 14))
+        shell = f"(0 0, {size} 0, {size} {size}, 0 {size}, 0 0)" if draw.random() < 0.5 else ring(size)
+        return "(" + ", ".join([shell] + [draw.choice((ring, box))(size) for _ in range(draw.choice((0, 0, 1, 2, 3)))]) + ")"
+
+    return "".join(
+        "MULTIPOLYGON (" + ", ".join(polygon() for _ in range(draw.choice((1, 1, 1, 2, 3)))) + ")\n" for _ in range(number))
+
+
 class Comparison:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
@@ -74,11 +97,11 @@ class Comparison:
         self.pairs = collections.Counter()
         self.differences = []
 
-    def compare(self, group, path):
+    def compare(self, group, path, coverage=True):
         for name, own_path, shapes in file_layers(path, self.folder):
             counts = self.counts[group]
             counts["layers"] += 1
-            ours = check(self.program, own_path, "--coverage")
+            ours = check(self.program, own_path, *(["--coverage"] if coverage else []))
             polygons = {n: s for n, s in shapes.items() if isinstance(s, str) or (s is not None and s.geom_type in POLYGONS)}
             if not polygons:
                 counts["layers without polygons"] += 1
@@ -87,7 +110,8 @@ class Comparison:
                 continue
             self.kinds[group].update(ours["faults_by_kind"])
             self.compare_features(group, name, polygons, ours)
-            self.compare_coverage(group, name, polygons, ours)
+            if coverage:
+                self.compare_coverage(group, name, polygons, ours)
 
     def compare_features(self, group, name, polygons, ours):
         counts = self.counts[group]
@@ -99,7 +123,8 @@ class Comparison:
             counts["features"] += 1
             reason = shape if isinstance(shape, str) else re.sub(r"\s*\[.*", "", shapely.is_valid_reason(shape))
             kinds = " + ".join(sorted(faults[number])) if number in faults else "valid"
-            self.pairs[kinds, "valid" if reason == "Valid Geometry" else reason] += 1
+            if group != "random":  # random features have faults of many kinds each
+                self.pairs[kinds, "valid" if reason == "Valid Geometry" else reason] += 1
             if reason != "Valid Geometry":
                 counts["invalid by GEOS"] += 1
             if number in faults:
@@ -162,6 +187,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--shared", default="../shared")
+    parser.add_argument("--random", type=int, default=0, help="number of random features")
+    parser.add_argument("--seed", type=int, default=1)
     arguments = parser.parse_args()
     warnings.filterwarnings("ignore")
     shared, cases = pathlib.Path(arguments.shared), pathlib.Path("tests/cases/faults")
@@ -176,6 +203,10 @@ def main():
         for group, paths in groups.items():
             for path in paths:
                 comparison.compare(group, path)
+        if arguments.random:
+            path = pathlib.Path(folder) / "random.wkt"
+            path.write_text(random_features(arguments.random, arguments.seed))
+            comparison.compare("random", path, coverage=False)
         print_report(comparison)
     sys.exit(any(not row[4] for row in comparison.differences))
 
