@@ -36,8 +36,7 @@ int run(const Arguments& arguments, bool json) {
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
   const OperandPair pair = read_pair(arguments.a, arguments.b);
   const std::vector<Row> rows = compare_methods(pair, arguments.operation, arguments.options);
-  if (!arguments.picture.empty())
-    io::write_picture(arguments.picture, draw(rows, pair, arguments.operation), existing);
+  if (!arguments.picture.empty()) io::write_picture(arguments.picture, draw(rows, pair, arguments.operation), existing);
   if (json) {
     const nlohmann::ordered_json object{{"command", "compare"},
                                         {"operation", name(arguments.operation)},

@@ -45,8 +45,8 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
 
 std::string operand(const io::DrawnContours& drawn, const char* colour) {
   return fmt::format(
-      "<g fill=\"{0}\" fill-opacity=\"0.4\" fill-rule=\"evenodd\" transform=\"scale(0.1)\">\n{1}{2}</g>\n",
-      colour, drawn.polygons, drawn.dots);
+      "<g fill=\"{0}\" fill-opacity=\"0.4\" fill-rule=\"evenodd\" transform=\"scale(0.1)\">\n{1}{2}</g>\n", colour,
+      drawn.polygons, drawn.dots);
 }
 
 std::string panel(const Row& row, const io::Frame& frame, const std::string& operands) {

@@ -93,8 +93,8 @@ void check_call(const std::vector<std::vector<std::string>>& operands, const Job
 void check_picture_call(const std::string& picture, const std::string& output, bool json) {
   if (picture.empty()) return;
   if (picture == "-" && (json || output == "-"))
-    throw CallError(fmt::format("--svg - and {} both write to standard output; give one of them a file",
-                                json ? "--json" : "-o -"));
+    throw CallError(
+        fmt::format("--svg - and {} both write to standard output; give one of them a file", json ? "--json" : "-o -"));
   if (picture == output) throw CallError("--svg and -o name the same file; give them different names");
 }
 

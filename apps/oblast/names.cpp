@@ -35,8 +35,9 @@ constexpr Word<FillRule::Kind> fills[] = {{"polygons", FillRule::Kind::polygons}
 constexpr Word<ContourConvention> conventions[] = {{"ogc", ContourConvention::ogc},
                                                    {"leonov-nikitin", ContourConvention::leonov_nikitin}};
 constexpr const char* stages[stage_count] = {"collect", "node", "label", "select", "link", "assemble"};
-constexpr const char* plain_stages[stage_count] = {"preparing polygons",     "finding crossings", "telling inside from outside",
-                                                   "choosing the borders", "joining the borders", "building polygons"};
+constexpr const char* plain_stages[stage_count] = {"preparing polygons",          "finding crossings",
+                                                   "telling inside from outside", "choosing the borders",
+                                                   "joining the borders",         "building polygons"};
 
 template <class Value, std::size_t count>
 Value parse(const std::string& word, const Word<Value> (&words)[count], const char* what,

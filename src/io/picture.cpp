@@ -83,12 +83,13 @@ struct Style {
 
 // Contours that are larger than a pixel in one group, the rest as dots.
 std::string draw_filled(const DrawnContours& drawn, const Style& style) {
-  const std::string stroke =
-      style.stroke_width > 0 ? fmt::format("stroke=\"{}\" stroke-width=\"{:.0f}\" stroke-linejoin=\"round\"",
-                                           style.stroke, style.stroke_width * 10)
-                             : "stroke=\"none\"";
-  return fmt::format("<g fill=\"{}\" fill-opacity=\"{}\" fill-rule=\"evenodd\" {} transform=\"scale(0.1)\">\n{}{}</g>\n",
-                     style.fill, style.opacity, stroke, drawn.polygons, drawn.dots);
+  const std::string stroke = style.stroke_width > 0
+                                 ? fmt::format("stroke=\"{}\" stroke-width=\"{:.0f}\" stroke-linejoin=\"round\"",
+                                               style.stroke, style.stroke_width * 10)
+                                 : "stroke=\"none\"";
+  return fmt::format(
+      "<g fill=\"{}\" fill-opacity=\"{}\" fill-rule=\"evenodd\" {} transform=\"scale(0.1)\">\n{}{}</g>\n", style.fill,
+      style.opacity, stroke, drawn.polygons, drawn.dots);
 }
 
 struct DrawnPanel {

@@ -64,8 +64,10 @@ std::string draw_scale_bar(const Frame& frame, MapProjection projection, const s
   const double length = round_length(160 / pixels_of_a_unit);
   const double pixels = length * pixels_of_a_unit;
   const bool kilometres = metric && length >= 1000;
-  const std::string name =
-      fmt::format("{:g} {}", kilometres ? length / 1000 : length, kilometres ? "km" : metric ? "m" : escaped(unit == "units" && length == 1 ? "unit" : unit));
+  const std::string name = fmt::format("{:g} {}", kilometres ? length / 1000 : length,
+                                       kilometres ? "km"
+                                       : metric   ? "m"
+                                                  : escaped(unit == "units" && length == 1 ? "unit" : unit));
   const double right = frame.box.left + frame.box.width - 14, y = frame.box.top + frame.box.height - 14;
   return fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"28\" rx=\"3\" fill=\"#fff\" fill-opacity=\"0.85\"/>"

@@ -13,8 +13,8 @@ namespace oblast::io {
 
 /// One view, drawn in one panel. Paths are in tenths of a pixel.
 struct DrawnContours {
-  std::string polygons;        ///< `<path .../>` for each polygon (each even-odd of its own contours)
-  std::string outlines;        ///< the same contours as the data of one path
+  std::string polygons;  ///< `<path .../>` for each polygon (each even-odd of its own contours)
+  std::string outlines;  ///< the same contours as the data of one path
   /// `<path .../>` elements: squares where contours below a pixel lie, the more opaque the more of them they cover.
   std::string dots;
   std::uint64_t drawn = 0;     ///< contours drawn as they are

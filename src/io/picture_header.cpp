@@ -38,9 +38,9 @@ std::vector<Entry> entries_of(const Picture& picture) {
   };
   entries.push_back(entry_of(picture.label_a, picture.a, operand(colour_a)));
   if (!picture.b.points.empty()) entries.push_back(entry_of(picture.label_b, picture.b, operand(colour_b)));
-  entries.push_back(entry_of(picture.label_result, picture.result,
-                             fmt::format("fill=\"{}\" fill-opacity=\"0.75\" stroke=\"{}\"", colour_result,
-                                         colour_result_edge)));
+  entries.push_back(
+      entry_of(picture.label_result, picture.result,
+               fmt::format("fill=\"{}\" fill-opacity=\"0.75\" stroke=\"{}\"", colour_result, colour_result_edge)));
   return entries;
 }
 

@@ -51,8 +51,8 @@ std::string to_png(const std::string& svg, double scale) {
   double width = 0, height = 0;
   rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height);
   const RsvgRectangle page{0, 0, width * scale, height * scale};
-  const std::unique_ptr<cairo_surface_t, Free> surface(cairo_image_surface_create(
-      CAIRO_FORMAT_RGB24, static_cast<int>(page.width), static_cast<int>(page.height)));
+  const std::unique_ptr<cairo_surface_t, Free> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(page.width), static_cast<int>(page.height)));
   check(cairo_surface_status(surface.get()));
   const std::unique_ptr<cairo_t, Free> context(cairo_create(surface.get()));
   if (!rsvg_handle_render_document(handle.get(), context.get(), &page, &error)) refuse(error);

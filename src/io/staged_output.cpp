@@ -140,7 +140,8 @@ std::vector<fs::path> older_stages(const fs::path& parent) {
   std::error_code error;
   for (fs::directory_iterator it(parent, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name.front() == '.' && (name.find(".writing-") != std::string::npos || name.find(".stopped-") != std::string::npos))
+    if (name.front() == '.' &&
+        (name.find(".writing-") != std::string::npos || name.find(".stopped-") != std::string::npos))
       entry->second.push_back(it->path());
   }
   return entry->second;

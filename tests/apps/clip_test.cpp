@@ -11,16 +11,18 @@ using Words = std::vector<std::string>;
 class Clip : public ::testing::Test {
  protected:
   Clip() {
-    write_layer(folder_ / "in.geojson", {square(0, 4, R"("name":"a","people":5)"), square(2, 4, R"("name":"b","people":null)"),
-                                         square(20, 1, R"("name":"far","people":1)"), square(0, 0, R"("name":"none")")});
+    write_layer(folder_ / "in.geojson",
+                {square(0, 4, R"("name":"a","people":5)"), square(2, 4, R"("name":"b","people":null)"),
+                 square(20, 1, R"("name":"far","people":1)"), square(0, 0, R"("name":"none")")});
     // The second row lies in the first one, the third overlaps the first.
-    write_layer(folder_ / "other.geojson", {square(1, 4, R"("zone":1,"name":"w")"), square(2, 2, R"("zone":2,"name":"w")"),
-                                            square(4, 3, R"("zone":3,"name":"w")")});
+    write_layer(folder_ / "other.geojson",
+                {square(1, 4, R"("zone":1,"name":"w")"), square(2, 2, R"("zone":2,"name":"w")"),
+                 square(4, 3, R"("zone":3,"name":"w")")});
   }
 
   ProgramRun run(const std::string& command, const Words& more = {}) {
-    Words words{command, folder_.path("in.geojson"), folder_.path("other.geojson"), "-o", folder_.path("out.geojson"),
-                "--overwrite"};
+    Words words{command, folder_.path("in.geojson"),  folder_.path("other.geojson"),
+                "-o",    folder_.path("out.geojson"), "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
     return oblast_program(words);
   }
@@ -55,7 +57,8 @@ TEST_F(Clip, TheInnerBordersOfTheWindowLeaveNoVertices) {
 }
 
 TEST_F(Clip, ConditionsAreForEachLayerAndColumnsAreThoseOfIn) {
-  EXPECT_EQ(rows("clip", {"--where", "name = 'b'", "--where-window", "zone = 2"}).rows, Lines{"name=b people=null area=4"});
+  EXPECT_EQ(rows("clip", {"--where", "name = 'b'", "--where-window", "zone = 2"}).rows,
+            Lines{"name=b people=null area=4"});
   EXPECT_EQ(rows("erase", {"--where-mask", "zone = 3", "--select", "name", "--area", "m2"}).rows,
             (Lines{"name=a m2=16 area=16", "name=b m2=10 area=10", "name=far m2=1 area=1"}));
   const ProgramRun wrong = run("clip", {"--select", "zone"});

@@ -17,8 +17,15 @@ class PictureOption : public ::testing::Test {
     write_file(folder_ / "b.wkt", "POLYGON ((2 2, 6 2, 6 6, 2 6, 2 2))");
   }
   ProgramRun run(const std::string& a, const std::string& picture, const Words& more = {}) {
-    Words words{"overlay", "intersection", folder_.path(a), folder_.path("b.wkt"), "-o", folder_.path("o.gpkg"),
-                "--overwrite", "--svg", picture == "-" ? picture : folder_.path(picture)};
+    Words words{"overlay",
+                "intersection",
+                folder_.path(a),
+                folder_.path("b.wkt"),
+                "-o",
+                folder_.path("o.gpkg"),
+                "--overwrite",
+                "--svg",
+                picture == "-" ? picture : folder_.path(picture)};
     words.insert(words.end(), more.begin(), more.end());
     return oblast_program(words);
   }
@@ -79,8 +86,9 @@ TEST_F(PictureOption, ALongTitleIsWrappedAndCut) {
 
 TEST_F(PictureOption, TheScaleBarHasTheUnitOfTheCoordinateSystem) {
   write_layer(folder_ / "m.geojson", {square(4e6, 500, "")});
-  EXPECT_TRUE(contains(oblast_program({"union", folder_.path("m.geojson"), "-o", folder_.path("u.gpkg"), "--svg", "-"}).out,
-                       " m</text>"));
+  EXPECT_TRUE(
+      contains(oblast_program({"union", folder_.path("m.geojson"), "-o", folder_.path("u.gpkg"), "--svg", "-"}).out,
+               " m</text>"));
   std::string text = R"({"type":"FeatureCollection","features":[)" + square(7, 2, "") + "]}";
   write_file(folder_ / "degrees.geojson", text);
   EXPECT_TRUE(contains(

@@ -106,7 +106,8 @@ ProgramRun program_on_terminal(const std::vector<std::string>& arguments) {
   // The terminal is read until the last program that has it open ends; that is an error (EIO) on Linux.
   const int keep_open = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   std::thread reader([&] {
-    for (ssize_t got; (got = ::read(terminal, bytes, sizeof bytes)) > 0;) run.err.append(bytes, static_cast<std::size_t>(got));
+    for (ssize_t got; (got = ::read(terminal, bytes, sizeof bytes)) > 0;)
+      run.err.append(bytes, static_cast<std::size_t>(got));
   });
   int status = 0;
   ::waitpid(child, &status, 0);

@@ -24,7 +24,8 @@ void expect_one_bar(const Words& call, const Words& words) {
     EXPECT_NEAR(static_cast<double>(std::count((*it)[1].first, (*it)[1].second, '#')), percent * 0.24, 1);
     if (next < words.size() && (*it)[3] == words[next]) ++next;
   }
-  EXPECT_EQ(next, words.size()) << "not shown in this order: " << words[std::min(next, words.size() - 1)] << "\n" << run.err;
+  EXPECT_EQ(next, words.size()) << "not shown in this order: " << words[std::min(next, words.size() - 1)] << "\n"
+                                << run.err;
   // The bar is gone when the summary comes.
   EXPECT_TRUE(contains(run.err, "\r\x1b[K" + call[0])) << run.err;
 }

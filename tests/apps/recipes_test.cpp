@@ -42,8 +42,8 @@ class Recipes : public ::testing::Test {
 
   // In a shell, so that quotes mean what they mean to a user.
   void run(const std::string& line) {
-    const std::string call = "cd '" + folder_.path("") + "' && PATH='" + fs::path(OBLAST_PROGRAM).parent_path().string() +
-                             "':$PATH && " + line + " >>out 2>>err";
+    const std::string call = "cd '" + folder_.path("") + "' && PATH='" +
+                             fs::path(OBLAST_PROGRAM).parent_path().string() + "':$PATH && " + line + " >>out 2>>err";
     const int status = std::system(call.c_str());
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << line << "\n" << read_file(folder_ / "err");
   }
@@ -67,15 +67,15 @@ TEST_F(Recipes, GiveWhatTheySay) {
       {"days", {"depth=1 m2=4 area=4", "depth=2 m2=2 area=2"}},
       {"overlaps", {"polygon=0 area=2"}},
       {"parts",
-       {"sources=fields:1 count=1 area=14", "sources=fields:1;fields:2 count=2 area=2", "sources=fields:2 count=1 area=2"}},
+       {"sources=fields:1 count=1 area=14", "sources=fields:1;fields:2 count=2 area=2",
+        "sources=fields:2 count=1 area=2"}},
       {"both",
        {"use_1=forest use_2=field area=1", "use_1=forest use_2=null area=3", "use_1=field use_2=field area=4",
         "use_1=null use_2=town area=1"}},
       {"change", {"use_1=forest use_2=field m2=1 area=1"}},
       {"new", {"polygon=0 area=1"}},
       {"gone", {"polygon=0 area=3"}},
-      {"soil_of_field",
-       {"id=1 soil=clay m2=12 area=12", "id=1 soil=null m2=4 area=4", "id=2 soil=clay m2=4 area=4"}},
+      {"soil_of_field", {"id=1 soil=clay m2=12 area=12", "id=1 soil=null m2=4 area=4", "id=2 soil=clay m2=4 area=4"}},
       {"pieces", {"use=field name=Alsace area=1", "use=field name=Picardie area=4"}},
       {"table", {"name=Alsace use=field m2=1 area=1", "name=Picardie use=field m2=4 area=4"}},
   };
