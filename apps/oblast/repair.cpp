@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "io/formats.h"
 #include "oblast/repair_report.h"
 #include "oblast/row_job.h"
 
@@ -52,25 +53,37 @@ void count(const FeatureView& before, const FeatureSet& after, Statistics& stati
   statistics.output_vertices = after.regions.points.size();
 }
 
+/// The rings of shapefiles have no roles in the file.
+std::vector<std::uint32_t> features_without_roles(const io::Layer& layer) {
+  std::vector<std::uint32_t> features;
+  for (std::uint32_t f = 0; f < layer.features.size(); ++f)
+    if (io::lower_extension(layer.files[layer.features[f].file]) == ".shp") features.push_back(f);
+  return features;
+}
+
 /// Repairs; what was changed goes into the report.
 FeatureSet repaired(RowJob& job, const Arguments& arguments, RepairReport& report) {
   const io::Rows& layer = job.layers().front();
   FeatureSet rows;
   job.compute([&](const Options& options) {
+    const std::vector<std::uint32_t> without_roles = features_without_roles(layer.layer);
+    FeatureSet grouped;
+    if (!without_roles.empty()) grouped = group_rings(layer.view(), without_roles, options);
+    const FeatureView before = without_roles.empty() ? layer.view() : FeatureView(grouped);
     if (arguments.coverage) {
       CoverageRepairOptions repair_options = arguments.options;
       static_cast<CallOptions&>(repair_options) = options;
-      RepairedCoverage result = repair_coverage(layer.view(), repair_options);
+      RepairedCoverage result = repair_coverage(before, repair_options);
       report.add(result);
       rows = std::move(result.features);
     } else {
       RepairOptions repair_options;
       static_cast<CallOptions&>(repair_options) = options;
-      Repaired result = repair(layer.view(), repair_options);
+      Repaired result = repair(before, repair_options);
       report.add(result);
       rows = std::move(result.features);
     }
-    count(layer.view(), rows, *options.statistics);
+    count(before, rows, *options.statistics);
   });
   return rows;
 }

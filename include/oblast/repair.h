@@ -8,6 +8,7 @@
 #include <oblast/point.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace oblast {
@@ -71,6 +72,14 @@ struct Repaired {
 /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets (these with the feature in their place), bad_option,
 /// cancelled, memory_limit.
 OBLAST_API Repaired repair(const FeatureView& features, const RepairOptions& options = {});
+
+/// Shapefiles do not say which rings are holes of which. Of each feature in `without_roles` (ascending), every polygon
+/// is taken as a heap of rings, filled by even-odd. If its rings bound several polygons, without crossing and each
+/// once, it becomes these polygons. Rings keep their vertices, in their order and with their bits. All other polygons
+/// stay as they are, and so do the other features. The key of row f is (f, no_feature). Cost: as `repair`. Throws
+/// Error: as `repair`; bad_option also if `without_roles` does not ascend, or names a feature that there is not.
+OBLAST_API FeatureSet group_rings(const FeatureView& features, std::span<const std::uint32_t> without_roles,
+                                  const CallOptions& options = {});
 
 /// To which of the features that overlap a place it goes.
 enum class OverlapRule {

@@ -12,10 +12,9 @@
 
 #include <oblast/region_set.h>
 
-namespace oblast::internal::repairing {
+#include "repair/ordered_ring.h"
 
-/// Vertices that the resolved region has and the feature has not, though they are exactly on its edges.
-enum class MoreVertices { allowed, refused };
+namespace oblast::internal::repairing {
 
 /// Whether the polygons of `feature` are those of `resolved`, but for order, directions, starts and repeated points.
 /// REQUIRES: `resolved` is canonical. Cost: linear, and sorting the rings.

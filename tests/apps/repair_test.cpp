@@ -145,7 +145,7 @@ TEST_F(Repair, ReadsAndWritesStandardStreams) {
   const ProgramRun done = oblast_program({"repair", "-", "-o", "-", "-q"},
                                          "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\nPOLYGON ((9 9, 8 9, 8 8, 9 9))\n");
   EXPECT_EQ(done.out,
-            "MULTIPOLYGON (((0 0, 2 2, 0 4, 0 0)), ((2 2, 4 0, 4 4, 2 2)))\nPOLYGON ((9 9, 8 9, 8 8, 9 9))\n");
+            "MULTIPOLYGON (((0 0, 2 2, 0 4, 0 0)), ((2 2, 4 0, 4 4, 2 2)))\nMULTIPOLYGON (((9 9, 8 9, 8 8, 9 9)))\n");
 }
 
 }  // namespace

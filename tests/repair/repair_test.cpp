@@ -229,6 +229,29 @@ TEST(Repair, RefusesEndsThatDoNotFit) {
   EXPECT_THROW(repair(layer), Error);
 }
 
+TEST(GroupRings, FindsTheHolesOfEachOuterRing) {
+  const char* const heap =
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (20 0, 29 0, 29 9, 20 9, 20 0), (2 2, 7 2, 7 7, 2 7, 2 2), "
+      "(22 1, 21 1, 21 2, 22 2, 22 1), (3 3, 4 3, 4 4, 3 4, 3 3))";
+  const TextLayer layer({heap, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0), (9 9, 8 9, 8 8, 9 9))", heap});
+  const std::vector<std::uint32_t> without_roles{0, 1};
+  const FeatureSet grouped = group_rings(layer, without_roles);
+  EXPECT_EQ(text_of(grouped, 0),
+            "MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (2 2, 7 2, 7 7, 2 7, 2 2)), ((20 0, 29 0, 29 9, 20 9, 20 0), "
+            "(22 1, 21 1, 21 2, 22 2, 22 1)), ((3 3, 4 3, 4 4, 3 4, 3 3)))");
+  EXPECT_EQ(text_of(grouped, 1), text_of(layer, 1));  // a ring crosses itself
+  EXPECT_EQ(text_of(grouped, 2), text_of(layer, 2));  // its rings have roles
+  const Repaired repaired = repair(grouped);
+  ASSERT_EQ(repaired.changed.size(), 2U);
+  EXPECT_EQ(repaired.changed[0].feature, 1U);
+}
+
+TEST(GroupRings, RefusesFeaturesThatThereAreNot) {
+  const TextLayer layer({"POLYGON ((0 0, 4 0, 0 4, 0 0))", "POLYGON ((0 0, 4 0, 0 4, 0 0))"});
+  EXPECT_THROW(group_rings(layer, std::vector<std::uint32_t>{2}), Error);
+  EXPECT_THROW(group_rings(layer, std::vector<std::uint32_t>{1, 0}), Error);
+}
+
 TEST(Repair, TellsAndStops) {
   std::vector<std::string> texts;
   for (int i = 0; i < 3000; ++i) texts.emplace_back("POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))");

@@ -198,6 +198,11 @@ void add_rows(const Add& add, const RegionSet& a, const RegionSet& b) {
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = static_cast<std::uint32_t>(i % 3);
   add("dissolve", [&, groups](const CallOptions& call) { return dissolve({a, {}}, groups, with<Options>(call)); });
   add("depth", [&](const CallOptions& call) { return depth({a, {}}, {}, with<Options>(call)); });
+  add("group_rings", [&, groups](const CallOptions& call) {
+    std::vector<std::uint32_t> all(groups.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
+    return group_rings({a, {}}, all, call);
+  });
   add("repair", [&](const CallOptions& call) { return repair({a, {}}, with<RepairOptions>(call)); });
   add("repair_coverage", [&](const CallOptions& call) {
     CoverageRepairOptions coverage = with<CoverageRepairOptions>(call);
