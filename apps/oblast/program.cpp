@@ -20,10 +20,11 @@ constexpr const char* footer = R"(Exit codes: 0 success, 1 an error in the data,
 130 interrupted. `oblast COMMAND --help` describes a command and gives an example.)";
 
 int fail(const Invocation& invocation, int code, const std::string& message) {
-  fmt::print(stderr, "oblast: {}\n", message);
+  const bool piped = invocation.output == "-";
+  if (!invocation.json || !piped) fmt::print(stderr, "oblast: {}\n", message);
   if (invocation.json) {
     const nlohmann::ordered_json object{{"error", message}, {"exit_code", code}};
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print(piped ? stderr : stdout, "{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   }
   return code;
 }

@@ -32,7 +32,7 @@ struct Summary {
   Statistics statistics;
   std::optional<std::uint64_t> rows;  ///< of the result, if it has rows
   std::uint64_t columns = 0;          ///< of its table
-  std::vector<std::string> notes;     ///< on its columns
+  std::vector<std::string> notes;     ///< on the reading and on the file that was written: one line each
   double area = 0;                    ///< of all rows together, in squared units of the coordinates
   double seconds_read = 0;
   double seconds_write = 0;
@@ -41,6 +41,10 @@ struct Summary {
 };
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer);
+
+/// Prints the notes, also if the user wants no summary: what was passed over must not go unsaid. Then the summary, as
+/// text or as JSON, which has the notes, too.
+void report(const Summary& summary, bool json, bool quiet);
 
 /// A few lines. The last one also ends with a line break.
 std::string to_text(const Summary& summary);
