@@ -199,7 +199,7 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
   summary_.rows = rows.feature_count();
   summary_.columns = columns;
   summary_.notes = notes_;
-  if (!arguments_.quiet) append(summary_.notes, units_);
+  summary_.units = units_;
   summary_.area = signed_area(rows.regions);
   summary_.seconds_total = total_.seconds();
   report(summary_, json_, arguments_.quiet);

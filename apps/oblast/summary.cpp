@@ -72,7 +72,10 @@ Json to_json(const OperandSummary& operand) {
 
 void report(const Summary& summary, bool json, bool quiet) {
   // JSON on standard error is the only thing there.
-  if (!json || summary.output != "-") print_notes(summary.notes);
+  if (!json || summary.output != "-") {
+    print_notes(summary.notes);
+    if (!quiet) print_notes(summary.units);
+  }
   if (json) {
     print_json(to_json(summary), summary.output);
   } else if (!quiet) {
@@ -143,6 +146,7 @@ Json to_json(const Summary& summary) {
     object["result"]["columns"] = summary.columns;
   }
   object["notes"] = summary.notes;
+  for (const std::string& unit : summary.units) object["notes"].push_back(unit);
   if (!summary.picture.empty()) object["picture"] = summary.picture;
   return object;
 }

@@ -33,6 +33,7 @@ struct Summary {
   std::optional<std::uint64_t> rows;  ///< of the result, if it has rows
   std::uint64_t columns = 0;          ///< of its table
   std::vector<std::string> notes;     ///< on the reading and on the file that was written: one line each
+  std::vector<std::string> units;     ///< of the measures: one line each
   double area = 0;                    ///< of all rows together, in squared units of the coordinates
   double seconds_read = 0;
   double seconds_write = 0;

@@ -89,8 +89,8 @@ void ChangedVertices::add_polygon(const OGRPolygon& polygon) {
 std::string ChangedVertices::note() const {
   if (changed_ == 0) return {};
   return fmt::format(
-      "{} of {} vertices were rounded, because the format has fewer digits than a double; borders may cross there now "
-      "(.gpkg, .fgb, .geojson, .csv and .wkt keep every bit)",
+      "rounded vertices: {} of {}, because the format has fewer digits than a double; borders may cross there now (.gpkg, "
+      ".fgb, .geojson, .csv and .wkt keep every bit)",
       changed_, given_.points.size());
 }
 

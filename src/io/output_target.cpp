@@ -49,6 +49,13 @@ ExistingGeopackage existing_geopackage(const OutputTarget& target) {
   ExistingGeopackage found;
   std::error_code error;
   if (!target.is_geopackage() || !fs::exists(target.path, error)) return found;
+  for (const char* journal : {"-wal", "-journal"}) {
+    const std::uintmax_t size = fs::file_size(target.path + journal, error);
+    if (!error && size > 0)
+      throw IoError(fmt::format("cannot write {0}: {0}{1} has changes that are not in it yet; close the program that "
+                                "has it open, then run the command again",
+                                target.path, journal));
+  }
   register_gdal_drivers();
   GdalMessages messages;
   const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
@@ -78,13 +85,6 @@ ExistingGeopackage existing_geopackage(const OutputTarget& target) {
 
 void copy_geopackage(const OutputTarget& target, const std::string& stage) {
   std::error_code error;
-  for (const char* journal : {"-wal", "-journal"}) {
-    const std::uintmax_t size = fs::file_size(target.path + journal, error);
-    if (!error && size > 0)
-      throw IoError(fmt::format("cannot write into {0}: {0}{1} has changes that are not in it yet; close the program "
-                                "that has it open, then run the command again",
-                                target.path, journal));
-  }
   fs::copy_file(target.path, stage, error);
   if (error) throw IoError(fmt::format("cannot copy {}: {}", target.path, error.message()));
   fs::permissions(stage, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add, error);

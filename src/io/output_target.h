@@ -21,7 +21,8 @@ struct OutputTarget {
 OutputTarget output_target(const std::string& path);
 
 /// The tables of the GeoPackage that the target would replace or add to, except the target's own layer: layers, tables
-/// of attributes and rasters. Empty if there is no such file, or if it is no GeoPackage.
+/// of attributes and rasters. Empty if there is no such file, or if it is no GeoPackage. Throws IoError if another
+/// program has changes of it in a journal.
 struct ExistingGeopackage {
   bool readable = false;
   bool has_layer = false;  ///< the target's own
@@ -29,7 +30,7 @@ struct ExistingGeopackage {
 };
 ExistingGeopackage existing_geopackage(const OutputTarget& target);
 
-/// Copies the GeoPackage of the target to `stage`. Throws IoError if another program has changes of it in a journal.
+/// Copies the GeoPackage of the target to `stage`. Throws IoError.
 void copy_geopackage(const OutputTarget& target, const std::string& stage);
 
 }  // namespace oblast::io

@@ -133,14 +133,15 @@ class WktParser {
   // more lacks a comma, most likely.
   int further_numbers() {
     constexpr int most = 4;
+    constexpr const char* words[] = {"none", "one", "two", "three", "four"};
     const int allowed = numbers_ > 0 ? numbers_ : most;
     int numbers = 2;
     for (; !next_is(',') && !next_is(')') && at_ != end_; ++numbers) {
       if (numbers == allowed)
-        fail(fmt::format("a vertex has more than {} numbers; is a comma missing before this one?", allowed));
+        fail(fmt::format("a vertex has more than {} numbers; is a comma missing before this one?", words[allowed]));
       number();
     }
-    if (numbers < numbers_) fail(fmt::format("a vertex has {} numbers; {} were expected", numbers, numbers_));
+    if (numbers < numbers_) fail(fmt::format("a vertex has {} numbers; {} were expected", words[numbers], words[numbers_]));
     numbers_ = numbers;
     return numbers - 2;
   }
