@@ -10,9 +10,9 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/methods.h"
 #include "oblast/names.h"
-#include "oblast/inputs.h"
 #include "oblast/outputs.h"
 
 namespace oblast::app {
@@ -125,9 +125,7 @@ void add_classic(CLI::App& program, Invocation& invocation) {
           "the operation: intersection, union or difference")
       ->required()
       ->type_name("");
-  command->add_option("A", a->a, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("A", a->a, input_help)->required()->type_name("");
   command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
   add_output_options(*command, a->output, invocation);
   add_input_options(*command, a->input);

@@ -9,8 +9,8 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/comparison.h"
-#include "oblast/names.h"
 #include "oblast/inputs.h"
+#include "oblast/names.h"
 
 namespace oblast::app {
 
@@ -66,9 +66,7 @@ void add_compare(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("compare", "Run every method on one pair of operands, and compare.");
   command->footer(footer);
-  command->add_option("A", a->a, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("A", a->a, input_help)->required()->type_name("");
   command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
   command
       ->add_option_function<std::string>(

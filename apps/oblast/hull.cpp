@@ -72,9 +72,7 @@ void add_hull(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("hull", "The convex hull of all contours.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
   add_output_options(*command, a->output, invocation);
   add_input_options(*command, a->input);
   add_call_options(*command, a->options);

@@ -116,7 +116,8 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
   add_call_options(command, a->options);
   command.add_option("--svg", a->picture, "also draw the operands and the result")->type_name("PICTURE.svg");
   command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
-  command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output (with `-o -`: on standard error)");
+  command.add_flag("--json", invocation.json,
+                   "print the summary as one JSON object on standard output (with `-o -`: on standard error)");
   command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
 }
 

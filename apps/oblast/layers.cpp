@@ -14,8 +14,8 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
-#include "oblast/names.h"
 #include "oblast/inputs.h"
+#include "oblast/names.h"
 
 namespace oblast::app {
 
@@ -160,9 +160,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("layers", "Count layers of disjoint contours, and unite, by groups of files.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
   command->add_option("--prefix", a->prefix, "group the files by the first N characters of their names")
       ->check(CLI::PositiveNumber)
       ->type_name("N");

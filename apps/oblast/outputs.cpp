@@ -11,7 +11,8 @@ io::TextFormat parse_format(const std::string& word) {
   if (word == "wkt") return io::TextFormat::wkt;
   if (word == "wkb") return io::TextFormat::wkb;
   if (word == "geojson") return io::TextFormat::geojson;
-  throw CLI::ValidationError(fmt::format("'{}' is not a format of standard output; choose from wkt, wkb, geojson", word));
+  throw CLI::ValidationError(
+      fmt::format("'{}' is not a format of standard output; choose from wkt, wkb, geojson", word));
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ int fail(const Invocation& invocation, int code, const std::string& message) {
   if (!invocation.json || !piped) fmt::print(stderr, "oblast: {}\n", message);
   if (invocation.json) {
     const nlohmann::ordered_json object{{"error", message}, {"exit_code", code}};
-    fmt::print(piped ? stderr : stdout, "{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print(piped ? stderr : stdout, "{}\n",
+               object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   }
   return code;
 }

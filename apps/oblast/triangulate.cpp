@@ -11,9 +11,9 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
-#include "oblast/inputs.h"
 #include "oblast/outputs.h"
 
 namespace oblast::app {
@@ -122,9 +122,7 @@ void add_triangulate(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("triangulate", "Triangulate the union (constrained Delaunay), with polygon numbers.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
   add_output_options(*command, a->output, invocation);
   add_input_options(*command, a->input);
   command

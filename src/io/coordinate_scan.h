@@ -37,8 +37,8 @@ class CoordinateScan {
   void scan(std::span<const Point> ring);
   bool looks_swapped() const;
 
-  double quarter_ = 0;  // of a turn, in the unit of the coordinates; 0: not geographic
-  Range x_, y_;         // of the file
+  double quarter_ = 0;     // of a turn, in the unit of the coordinates; 0: not geographic
+  Range x_, y_;            // of the file
   Range area_x_, area_y_;  // where the system is used; empty if it is not known
   std::uint64_t beyond_pole_ = 0, across_ = 0;
   bool across_now_ = false;  // of this polygon

@@ -62,9 +62,10 @@ std::string crs_code(const OGRSpatialReference& crs) {
 namespace {
 
 [[noreturn]] void refuse_one_without(const std::string& with, const std::string& wkt, const std::string& without) {
-  throw IoError(fmt::format("{} names no coordinate system, but {} is in {}; add --assume-crs {} if the coordinates "
-                            "are in that system, or name the right one",
-                            without, with, crs_name(wkt), crs_word(wkt)));
+  throw IoError(
+      fmt::format("{} names no coordinate system, but {} is in {}; add --assume-crs {} if the coordinates "
+                  "are in that system, or name the right one",
+                  without, with, crs_name(wkt), crs_word(wkt)));
 }
 
 OGRSpatialReference flat_crs(const std::string& wkt) {
@@ -99,9 +100,10 @@ void CommonCrs::add(const std::string& wkt, const std::string& file) {
     file_ = file;
     refuse_mixture();
   } else if (!same_crs(wkt_, wkt)) {
-    throw IoError(fmt::format("two coordinate systems in one operand: {} has {}, {} has {}; add --t_srs {} to transform "
-                              "all files to one of them",
-                              file_, crs_name(wkt_), file, crs_name(wkt), crs_word(wkt_)));
+    throw IoError(
+        fmt::format("two coordinate systems in one operand: {} has {}, {} has {}; add --t_srs {} to transform "
+                    "all files to one of them",
+                    file_, crs_name(wkt_), file, crs_name(wkt), crs_word(wkt_)));
   }
   accepted_.insert(wkt);
 }
@@ -115,9 +117,10 @@ void require_same_crs(const std::string& label_a, const std::string& wkt_a, cons
   if (wkt_a.empty() && !wkt_b.empty()) refuse_one_without(label_b, wkt_b, label_a);
   if (wkt_b.empty() && !wkt_a.empty()) refuse_one_without(label_a, wkt_a, label_b);
   if (same_crs(wkt_a, wkt_b)) return;
-  throw IoError(fmt::format("two coordinate systems: {} is in {}, {} is in {}; add --t_srs {} to transform both to one "
-                            "of them",
-                            label_a, crs_name(wkt_a), label_b, crs_name(wkt_b), crs_word(wkt_a)));
+  throw IoError(
+      fmt::format("two coordinate systems: {} is in {}, {} is in {}; add --t_srs {} to transform both to one "
+                  "of them",
+                  label_a, crs_name(wkt_a), label_b, crs_name(wkt_b), crs_word(wkt_a)));
 }
 
 std::string crs_name(const std::string& wkt) {

@@ -9,8 +9,8 @@
 
 namespace oblast::io {
 
-/// Throws IoError for curves and surfaces. The recursion is shallow: GDAL's readers accept collections that are nested a
-/// few dozen levels deep at most.
+/// Throws IoError for curves and surfaces. The recursion is shallow: GDAL's readers accept collections that are nested
+/// a few dozen levels deep at most.
 void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch);
 
 /// A record of a shapefile: all its rings are one polygon (gdal_reader.cpp says why).

@@ -12,8 +12,8 @@ namespace oblast::io {
 
 namespace {
 
-// GeoPackage has the moment of the last change. It would make two files of the same result differ, so it is a fixed one,
-// unless the user has chosen another.
+// GeoPackage has the moment of the last change. It would make two files of the same result differ, so it is a fixed
+// one, unless the user has chosen another.
 const char* date_of_change() { return CPLGetConfigOption("OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z"); }
 
 int index_of(GDALDataset& dataset, const std::string& layer) {
@@ -89,7 +89,8 @@ void ChangedVertices::add_polygon(const OGRPolygon& polygon) {
 std::string ChangedVertices::note() const {
   if (changed_ == 0) return {};
   return fmt::format(
-      "rounded vertices: {} of {}, because the format has fewer digits than a double; borders may cross there now (.gpkg, "
+      "rounded vertices: {} of {}, because the format has fewer digits than a double; borders may cross there now "
+      "(.gpkg, "
       ".fgb, .geojson, .csv and .wkt keep every bit)",
       changed_, given_.points.size());
 }

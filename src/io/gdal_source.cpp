@@ -42,7 +42,8 @@ GdalSource::GdalSource(const Source& source, const std::string& name) : name_(na
                                    format && format->drivers[0] ? format->drivers : nullptr,
                                    csv ? csv_options : nullptr));
   if (!dataset_)
-    throw IoError(name + " is not a vector file that can be read: " + messages_.text("no driver of GDAL recognises it"));
+    throw IoError(name +
+                  " is not a vector file that can be read: " + messages_.text("no driver of GDAL recognises it"));
   std::vector<OGRLayer*> layers;
   std::vector<std::string> tables;
   for (OGRLayer* layer : dataset_->GetLayers()) {

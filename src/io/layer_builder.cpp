@@ -37,9 +37,10 @@ void LayerBuilder::set_crs(std::string wkt) {
   }
   scan_.emplace(wkt);
   if (!options_.target_crs.empty() && wkt.empty())
-    throw IoError(fmt::format("{} names no coordinate system, so it cannot be transformed to {}; say with --assume-crs "
-                              "in which system the coordinates are",
-                              layer_.files[file_], crs_name(options_.target_crs)));
+    throw IoError(
+        fmt::format("{} names no coordinate system, so it cannot be transformed to {}; say with --assume-crs "
+                    "in which system the coordinates are",
+                    layer_.files[file_], crs_name(options_.target_crs)));
   layer_.crs_wkt = wkt;
   if (options_.target_crs.empty() || same_crs(wkt, options_.target_crs)) return;
   transform_.emplace(wkt, options_.target_crs);
@@ -116,7 +117,8 @@ void LayerBuilder::end_feature() {
   if (has_z_) ++report.with_z;
   if (has_m_) ++report.with_m;
   const bool has_polygons = layer_.regions.polygon_ends.size() > first_polygon_;
-  if (has_polygons || options_.entries == FeatureEntries::all) layer_.features.push_back({first_polygon_, file_, feature_});
+  if (has_polygons || options_.entries == FeatureEntries::all)
+    layer_.features.push_back({first_polygon_, file_, feature_});
   if (!has_polygons && !other_seen_) ++report.empty_geometries;
 }
 

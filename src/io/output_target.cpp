@@ -37,8 +37,8 @@ OutputTarget output_target(const std::string& path) {
     // A file may have a colon in its name: a.gpkg:b.gpkg, unless there is a file a.gpkg.
     if (!format || (format_of(path) && !fs::exists(target.path, error))) continue;
     if (!target.is_geopackage())
-      throw IoError(fmt::format("cannot write {}: only .gpkg files have several layers; leave out :{}", path,
-                                target.layer));
+      throw IoError(
+          fmt::format("cannot write {}: only .gpkg files have several layers; leave out :{}", path, target.layer));
     if (target.layer.empty()) throw IoError(fmt::format("cannot write {}: the name of the layer is missing", path));
     return target;
   }
@@ -52,9 +52,10 @@ ExistingGeopackage existing_geopackage(const OutputTarget& target) {
   for (const char* journal : {"-wal", "-journal"}) {
     const std::uintmax_t size = fs::file_size(target.path + journal, error);
     if (!error && size > 0)
-      throw IoError(fmt::format("cannot write {0}: {0}{1} has changes that are not in it yet; close the program that "
-                                "has it open, then run the command again",
-                                target.path, journal));
+      throw IoError(
+          fmt::format("cannot write {0}: {0}{1} has changes that are not in it yet; close the program that "
+                      "has it open, then run the command again",
+                      target.path, journal));
   }
   register_gdal_drivers();
   GdalMessages messages;

@@ -48,7 +48,8 @@ FilePart read_one(const Source& source, const ReadOptions& options, Attributes a
     return part;
   }
   refuse_what_text_has_not(source, kind == ContentKind::wkb ? "WKB" : "WKT", options);
-  part.layer = kind == ContentKind::wkb ? read_wkb(text, source.name(), options) : read_wkt(text, source.name(), options);
+  part.layer =
+      kind == ContentKind::wkb ? read_wkb(text, source.name(), options) : read_wkt(text, source.name(), options);
   return part;
 }
 

@@ -101,9 +101,9 @@ Contents contents_of(const std::string& folder) {
 
 void say(SourceList& list, const std::string& folder, const Names& names, const char* one, const char* several) {
   if (names.empty()) return;
-  list.notes.push_back(names.size() == 1
-                           ? fmt::format("{}: {} was not read: {}", folder, one, names.front())
-                           : fmt::format("{}: {} {} were not read: {}", folder, names.size(), several, name_list(names)));
+  list.notes.push_back(
+      names.size() == 1 ? fmt::format("{}: {} was not read: {}", folder, one, names.front())
+                        : fmt::format("{}: {} {} were not read: {}", folder, names.size(), several, name_list(names)));
 }
 
 void add_folder(const std::string& folder, const SourceOptions& options, SourceList& list) {
@@ -191,8 +191,7 @@ SourceList list_sources(std::span<const std::string> paths, const SourceOptions&
     const std::string layer = source->layer.empty() && path != "-" ? options.layer : source->layer;
     if (is_archive(source->path)) {
       const bool is_virtual = source->path.starts_with("/vsi");
-      list.sources.push_back(
-          source_in_archive((is_virtual ? "" : "/vsizip/") + source->path, source->path, layer));
+      list.sources.push_back(source_in_archive((is_virtual ? "" : "/vsizip/") + source->path, source->path, layer));
     } else if (!is_folder(source->path) || lower_extension(source->path) == ".gdb") {
       list.sources.push_back({source->path, layer});
     } else if (source->path.starts_with("/vsi")) {

@@ -27,9 +27,9 @@ struct SourceOptions {
   std::string output;  ///< the file that the call writes: it is passed over in folders; empty: none
 };
 
-/// A path is FILE, FILE:LAYER, a folder (all vector files in it, sorted by the bytes of their names), a `.zip` file with
-/// one vector file in it, or ARCHIVE.zip:FILE. `-` stays. Throws IoError for a name that does not exist, for a folder
-/// without vector files, and for a .zip file with several of them.
+/// A path is FILE, FILE:LAYER, a folder (all vector files in it, sorted by the bytes of their names), a `.zip` file
+/// with one vector file in it, or ARCHIVE.zip:FILE. `-` stays. Throws IoError for a name that does not exist, for a
+/// folder without vector files, and for a .zip file with several of them.
 SourceList list_sources(std::span<const std::string> paths, const SourceOptions& options);
 
 }  // namespace oblast::io

@@ -19,9 +19,10 @@ std::string named(unsigned srid) { return srid == 0 ? "no SRID" : fmt::format("S
 bool CommonSrid::add(unsigned srid, const std::string& place) {
   if (srid_) {
     if (srid == *srid_) return false;
-    throw IoError(fmt::format("{}, {}: {}, but the first geometry has {}; all geometries of one input must be in one "
-                              "coordinate system",
-                              name_, place, named(srid), named(*srid_)));
+    throw IoError(
+        fmt::format("{}, {}: {}, but the first geometry has {}; all geometries of one input must be in one "
+                    "coordinate system",
+                    name_, place, named(srid), named(*srid_)));
   }
   srid_ = srid;
   if (srid == 0) return true;

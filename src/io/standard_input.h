@@ -7,8 +7,8 @@ namespace oblast::io {
 
 enum class ContentKind { wkt, wkb, json };
 
-/// WKB may be in hexadecimal digits. Anything that is not known is taken for WKT, whose reader says what is wrong. Throws
-/// IoError if there is nothing but white space, or if the data is a file that must have a name.
+/// WKB may be in hexadecimal digits. Anything that is not known is taken for WKT, whose reader says what is wrong.
+/// Throws IoError if there is nothing but white space, or if the data is a file that must have a name.
 ContentKind kind_of_content(const std::string& text);
 
 /// A file in memory, under a virtual path of GDAL.

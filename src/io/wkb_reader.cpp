@@ -81,6 +81,7 @@ Layer read_wkb(const std::string& data, const std::string& name, const ReadOptio
     builder.end_feature();
     at += consumed;
   }
+  if (feature == 0) builder.set_crs({});
   builder.finish();
   return layer;
 }

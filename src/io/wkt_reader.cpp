@@ -1,7 +1,7 @@
 // Reads Well-Known Text (OGC 06-103r4, section 7) in one pass over the characters.
 //
-// Accepted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" and its vertices of three or four numbers
-// without Z and M after the type, semicolons after a geometry, and lower case.
+// Accepted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" and its vertices of three or four
+// numbers without Z and M after the type, semicolons after a geometry, and lower case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,8 @@ class WktParser {
   }
 
   void parse() {
-    for (std::int64_t feature = 0; skip_separators(); ++feature) {
+    std::int64_t feature = 0;
+    for (; skip_separators(); ++feature) {
       line_ += static_cast<std::size_t>(std::count(line_start_, at_, '\n'));
       line_start_ = at_;
       if (srid_.add(read_srid(), fmt::format("line {}", line_))) builder_.set_crs(srid_.wkt());
@@ -39,6 +40,7 @@ class WktParser {
       geometry();
       builder_.end_feature();
     }
+    if (feature == 0) builder_.set_crs({});
     builder_.finish();
   }
 
@@ -141,7 +143,8 @@ class WktParser {
         fail(fmt::format("a vertex has more than {} numbers; is a comma missing before this one?", words[allowed]));
       number();
     }
-    if (numbers < numbers_) fail(fmt::format("a vertex has {} numbers; {} were expected", words[numbers], words[numbers_]));
+    if (numbers < numbers_)
+      fail(fmt::format("a vertex has {} numbers; {} were expected", words[numbers], words[numbers_]));
     numbers_ = numbers;
     return numbers - 2;
   }

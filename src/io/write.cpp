@@ -98,9 +98,8 @@ void write_staged(const OutputTarget& target, const WriteOptions& options,
     if (state != state_of(target.path))
       throw IoError(target.path + " was changed by another program in the meantime; run the command again");
     if (options.notes && target.layer.empty())
-      options.notes->push_back(
-          fmt::format("{} keeps what it had besides the layer {}: {}", target.path, target.layer_name(),
-                      name_list(existing.others)));
+      options.notes->push_back(fmt::format("{} keeps what it had besides the layer {}: {}", target.path,
+                                           target.layer_name(), name_list(existing.others)));
   } else if (options.existing == Existing::refuse) {
     refuse_existing(target.path);  // another program may have made a file of this name in the meantime
   }
@@ -110,9 +109,10 @@ void write_staged(const OutputTarget& target, const WriteOptions& options,
 void check_crs_of_format(const std::string& path, const std::string& crs_wkt) {
   if (is_geojson(path)) geojson_crs_code(crs_wkt);
   if (lower_extension(path) == ".kml" && !same_crs(crs_wkt, crs_from_text("EPSG:4326")))
-    throw IoError(fmt::format("cannot write {}: KML is always in WGS 84 (EPSG:4326), but the result is in {}; add "
-                              "--t_srs EPSG:4326, or write .gpkg",
-                              path, crs_name(crs_wkt)));
+    throw IoError(
+        fmt::format("cannot write {}: KML is always in WGS 84 (EPSG:4326), but the result is in {}; add "
+                    "--t_srs EPSG:4326, or write .gpkg",
+                    path, crs_name(crs_wkt)));
 }
 
 void check_writable(const std::string& path_given, const WriteOptions& options) {

@@ -31,13 +31,13 @@ struct WriteOptions {
 void check_writable(const std::string& path, const WriteOptions& options = {});
 
 /// Writes one feature per polygon. The extension decides the format; `-` is standard output. `FILE.gpkg:LAYER` adds a
-/// layer to a GeoPackage; other layers of an existing GeoPackage are always kept. Coordinates keep their bits, except in
-/// .kml and .gml; text formats have the fewest digits that read back to the same bits. The bytes depend on the arguments
-/// only. Throws IoError; then an older file at `path` is unchanged.
+/// layer to a GeoPackage; other layers of an existing GeoPackage are always kept. Coordinates keep their bits, except
+/// in .kml and .gml; text formats have the fewest digits that read back to the same bits. The bytes depend on the
+/// arguments only. Throws IoError; then an older file at `path` is unchanged.
 void write(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
 
-/// Writes to a temporary name, and renames. `write_to` gets the temporary path. There is a file at that path if a layer is
-/// to be added to it. Throws IoError.
+/// Writes to a temporary name, and renames. `write_to` gets the temporary path. There is a file at that path if a layer
+/// is to be added to it. Throws IoError.
 void write_staged(const OutputTarget& target, const WriteOptions& options,
                   const std::function<void(const std::string& path)>& write_to);
 

@@ -1,4 +1,5 @@
-// What the program reads: layers of files, archives, folders, standard input, coordinate systems; and what it says of it.
+// What the program reads: layers of files, archives, folders, standard input, coordinate systems; and what it says of
+// it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ constexpr const char* unit_square = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))";
 /// GeoJSON of one polygon with these coordinates; `crs` is the number of an EPSG code, or 0 for longitude and latitude.
 std::string geojson(const std::string& ring, int crs = 0) {
   const std::string member =
-      crs == 0 ? "" : fmt::format(R"("crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}},)", crs);
+      crs == 0 ? ""
+               : fmt::format(R"("crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}},)", crs);
   return R"({"type":"FeatureCollection",)" + member +
          R"("features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)" + ring +
          "]}}]}";
@@ -59,8 +61,8 @@ TEST(Layers, SeveralAreAnErrorUnlessOneIsNamed) {
   EXPECT_EQ(wrong.code, 1);
   EXPECT_TRUE(contains(wrong.err, "has no layer c; it has a (polygons) and b (polygons)")) << wrong.err;
   // Rows have the attributes of the layer that is named.
-  const ProgramRun rows = oblast_program({"overlay", "intersection", path + ":a", path + ":b", "-o",
-                                          folder.path("rows.geojson"), "-q"});
+  const ProgramRun rows =
+      oblast_program({"overlay", "intersection", path + ":a", path + ":b", "-o", folder.path("rows.geojson"), "-q"});
   EXPECT_EQ(rows.code, 0) << rows.err;
   EXPECT_EQ(rows_of(folder.path("rows.geojson")).columns, "polygon_1: 32-bit integers, polygon_2: 32-bit integers");
 }
@@ -96,8 +98,8 @@ TEST(PassedOver, TheColumnsOfALayerThatAResultOfRowsDoesNotHave) {
   const Folder folder;
   write_layer(folder / "a.geojson", {square(0, 2, R"("name":"x")")});
   write_layer(folder / "b.geojson", {square(1, 2, R"("people":3)")});
-  const ProgramRun run = oblast_program({"overlay", "difference", folder.path("a.geojson"), folder.path("b.geojson"),
-                                         "-o", folder.path("o.gpkg"), "-q"});
+  const ProgramRun run = oblast_program(
+      {"overlay", "difference", folder.path("a.geojson"), folder.path("b.geojson"), "-o", folder.path("o.gpkg"), "-q"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "note: B: 1 attribute passed over: people\n");
 }
@@ -114,7 +116,8 @@ TEST(Folders, TheOutputIsNotReadOnARerun) {
   EXPECT_EQ(again.code, 0);
   EXPECT_TRUE(contains(again.err, "result.wkt is the output of this call, and was not read")) << again.err;
   EXPECT_EQ(read_file(out), first);
-  const ProgramRun twice = oblast_program({"union", folder.path("fires"), "-o", out, "--overwrite", "--fill", "atleast:2"});
+  const ProgramRun twice =
+      oblast_program({"union", folder.path("fires"), "-o", out, "--overwrite", "--fill", "atleast:2"});
   EXPECT_TRUE(contains(read_file(out), "EMPTY")) << twice.err;
 }
 
@@ -127,9 +130,9 @@ TEST(Archives, AreReadLikeTheFileInThem) {
   };
   ASSERT_EQ(pack("one.zip", "fires.shp fires.shx fires.dbf"), 0);
   ASSERT_EQ(pack("two.zip", "fires.shp fires.shx fires.dbf other.wkt"), 0);
-  for (const std::string& input : {folder.path("one.zip"), "/vsizip/" + folder.path("one.zip"),
-                                   "/vsizip/" + folder.path("one.zip/fires.shp"), folder.path("two.zip:other"),
-                                   folder.path("two.zip:fires.shp")}) {
+  for (const std::string& input :
+       {folder.path("one.zip"), "/vsizip/" + folder.path("one.zip"), "/vsizip/" + folder.path("one.zip/fires.shp"),
+        folder.path("two.zip:other"), folder.path("two.zip:fires.shp")}) {
     const ProgramRun run = unite(input, {"-q"});
     EXPECT_EQ(run.code, 0) << input << ": " << run.err;
     EXPECT_TRUE(contains(run.out, "1 1")) << input;
@@ -165,7 +168,8 @@ TEST(StandardInput, ThatIsNoneOfTheseIsAnErrorThatSaysWhy) {
       {std::string("\x01\x03\x00\x00\x00\x01\x00", 7), "geometry 1, byte 0: not Well-Known Binary, or cut off"},
       {"0103zz", "character 5"},
       {"{\"type\":\"Feature", "standard input"},
-      {"POLYGON ((0 0, 4 0, 4 4 0 4, 0 0))", "line 1, column 25: a vertex has more than two numbers; is a comma missing"},
+      {"POLYGON ((0 0, 4 0, 4 4 0 4, 0 0))",
+       "line 1, column 25: a vertex has more than two numbers; is a comma missing"},
   };
   for (const auto& [input, said] : inputs) {
     const ProgramRun run = unite("-", {}, input);
@@ -180,8 +184,8 @@ TEST(CoordinateSystems, OfThreeAndTwoDimensionsAreOne) {
   write_file(folder / "a.geojson", geojson(box(0, 0, 2, 2)));
   write_file(folder / "b.geojson", geojson("[[1,1,5],[3,1,5],[3,3,5],[1,1,5]]"));
   const std::string out = folder.path("o.gpkg");
-  const ProgramRun run = oblast_program({"overlay", "intersection", folder.path("a.geojson"), folder.path("b.geojson"),
-                                         "-o", out, "--merge", "--json"});
+  const ProgramRun run = oblast_program(
+      {"overlay", "intersection", folder.path("a.geojson"), folder.path("b.geojson"), "-o", out, "--merge", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["crs"], "WGS 84 (EPSG:4326)");
   write_file(folder / "c.geojson", geojson("[[1,1,5],[3,1,5],[3,3,5],[1,1,5]]", 4979));
@@ -194,7 +198,11 @@ TEST(CoordinateSystems, OneOperandWithoutNeedsAnAssumption) {
   write_file(folder / "a.geojson", geojson(box(0, 0, 2, 2), 3035));
   write_file(folder / "b.wkt", unit_square);
   for (const Words& more : {Words{"--merge"}, Words{}}) {
-    Words call{"overlay",     "intersection", folder.path("a.geojson"), folder.path("b.wkt"), "-o",
+    Words call{"overlay",
+               "intersection",
+               folder.path("a.geojson"),
+               folder.path("b.wkt"),
+               "-o",
                folder.path(more.empty() ? "rows.gpkg" : "merged.gpkg")};
     call.insert(call.end(), more.begin(), more.end());
     const ProgramRun refused = oblast_program(call);
@@ -234,8 +242,7 @@ TEST(CoordinateSystems, ATransformationIsSaid) {
   const ProgramRun none = unite("-", {"--t_srs", "EPSG:3857"}, unit_square);
   EXPECT_EQ(none.code, 1);
   EXPECT_TRUE(contains(none.err, "cannot be transformed")) << none.err;
-  const ProgramRun pole =
-      unite("-", {"--t_srs", "EPSG:3857"}, "SRID=4326;POLYGON ((0 0, 1 0, 1 95, 0 0))");
+  const ProgramRun pole = unite("-", {"--t_srs", "EPSG:3857"}, "SRID=4326;POLYGON ((0 0, 1 0, 1 95, 0 0))");
   EXPECT_EQ(pole.code, 1);
   EXPECT_TRUE(contains(pole.err, "vertex 2: (1, 95) cannot be transformed")) << pole.err;
 }
@@ -251,7 +258,8 @@ TEST(Coordinates, ThatCannotBeMeantAreWarnedOf) {
     }
   };
   warned("SRID=4326;POLYGON ((100 80, 101 80, 101 95, 100 80))", "1 vertex with a latitude beyond 90 degrees");
-  warned("SRID=4326;POLYGON ((50 100, 60 100, 60 130, 50 100))", "longitude and latitude look swapped in standard input");
+  warned("SRID=4326;POLYGON ((50 100, 60 100, 60 130, 50 100))",
+         "longitude and latitude look swapped in standard input");
   // The area of use of ETRS89 is Europe.
   warned("SRID=4258;POLYGON ((50 10, 51 10, 51 11, 50 10))", "longitude and latitude look swapped");
   warned("SRID=4326;POLYGON ((170 10, -170 10, -170 20, 170 20, 170 10))", "1 polygon across the date line");

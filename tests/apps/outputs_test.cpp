@@ -135,8 +135,8 @@ TEST(Geopackage, HasTheSameBytesOnEveryRun) {
     fs::create_directory(folder / name);
     EXPECT_EQ(unite(unit_square, folder.path(name + "/a.gpkg")).code, 0);
     EXPECT_EQ(unite(large_square, folder.path(name + "/a.gpkg:b")).code, 0);
-    EXPECT_EQ(oblast_program({"dissolve", folder.path("in.geojson"), "-o", folder.path(name + "/rows.gpkg"), "-q"}).code,
-              0);
+    EXPECT_EQ(
+        oblast_program({"dissolve", folder.path("in.geojson"), "-o", folder.path(name + "/rows.gpkg"), "-q"}).code, 0);
   };
   run("first");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a timestamp would differ
@@ -185,10 +185,29 @@ TEST(Formats, TablesKeepAttributes) {
   }
 }
 
+TEST(Formats, CsvSaysThatItHasNoEmptyTexts) {
+  const Folder folder;
+  write_layer(folder / "in.geojson", {square(0, 1, R"("id":1,"name":"")")});
+  const ProgramRun run = oblast_program({"dissolve", folder.path("in.geojson"), "-o", folder.path("o.csv"), "-q"});
+  EXPECT_TRUE(contains(run.err, "note: empty texts: 1, which CSV does not tell from nulls")) << run.err;
+  EXPECT_EQ(rows_of(folder.path("o.csv")).rows, (Lines{"id=1 name=null area=1"}));
+}
+
+TEST(Formats, KmlHasFewTypes) {
+  const Folder folder;
+  write_file(folder / "in.geojson", R"({"type":"FeatureCollection","features":[)" +
+                                        square(0, 1, R"("people":9007199254740993,"open":true)") + "]}");
+  const ProgramRun run = oblast_program({"dissolve", folder.path("in.geojson"), "-o", folder.path("o.kml"), "-q"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "people is written as text (KML has no 64-bit integers)")) << run.err;
+  EXPECT_TRUE(contains(run.err, "open is written as 32-bit integers (KML has no subtype boolean)")) << run.err;
+  EXPECT_TRUE(contains(rows_of(folder.path("o.kml")).rows.front(), "people=9007199254740993 open=1 "));
+}
+
 TEST(Formats, KmlIsInLongitudeAndLatitude) {
   const Folder folder;
-  const ProgramRun run = unite("SRID=3035;POLYGON ((4321000 3210000, 4322000 3210000, 4322000 3211000, 4321000 3210000))",
-                               folder.path("o.kml"));
+  const ProgramRun run = unite(
+      "SRID=3035;POLYGON ((4321000 3210000, 4322000 3210000, 4322000 3211000, 4321000 3210000))", folder.path("o.kml"));
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.err, "KML is always in WGS 84 (EPSG:4326)")) << run.err;
   EXPECT_TRUE(contains(run.err, "--t_srs EPSG:4326")) << run.err;

@@ -159,8 +159,8 @@ TEST(SameCrs, AxisOrderAndMissingOnesDoNotMatter) {
   EXPECT_TRUE(same_crs("", wgs84));
   EXPECT_TRUE(same_crs(wgs84, ""));
   EXPECT_TRUE(same_crs("", ""));
-  EXPECT_TRUE(same_crs(wgs84, crs_from_text("EPSG:4979")));            // with height
-  EXPECT_TRUE(same_crs(crs_from_text("EPSG:3035+5621"), etrs));        // with height above the sea
+  EXPECT_TRUE(same_crs(wgs84, crs_from_text("EPSG:4979")));      // with height
+  EXPECT_TRUE(same_crs(crs_from_text("EPSG:3035+5621"), etrs));  // with height above the sea
   EXPECT_EQ(crs_name(crs_from_text("EPSG:4979")), "WGS 84 (EPSG:4326)");
   EXPECT_FALSE(same_crs(wgs84, etrs));
   EXPECT_FALSE(same_crs(wgs84, crs_wkt(folder, 4284)));  // Pulkovo 1942: degrees too, another datum

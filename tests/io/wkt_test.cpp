@@ -71,6 +71,9 @@ TEST(Wkt, EmptyGeometriesAreCounted) {
 TEST(Wkt, NoTextIsNoGeometry) {
   EXPECT_EQ(wkt("").report.features, 0U);
   EXPECT_EQ(wkt(" \n\t\r\n").report.features, 0U);
+  ReadOptions options;
+  options.assume_crs = crs_from_text("EPSG:3035");
+  EXPECT_TRUE(same_crs(read_wkt("", "in.wkt", options).crs_wkt, options.assume_crs));
 }
 
 TEST(Wkt, HeightsAndMeasuresAreDroppedAndCounted) {
