@@ -70,10 +70,10 @@ ExistingGeopackage existing_geopackage(const OutputTarget& target) {
   for (OGRLayer* layer : dataset->GetLayers()) names.insert(layer->GetName());
   // Rasters are no layers.
   const char* const sql = "SELECT table_name FROM gpkg_contents";
-  if (OGRLayer* contents = dataset->ExecuteSQL(sql, nullptr, nullptr)) {
-    while (const std::unique_ptr<OGRFeature> row{contents->GetNextFeature()}) names.insert(row->GetFieldAsString(0));
-    dataset->ReleaseResultSet(contents);
-  }
+  const auto release = [&](OGRLayer* rows) { dataset->ReleaseResultSet(rows); };
+  const std::unique_ptr<OGRLayer, decltype(release)> contents(dataset->ExecuteSQL(sql, nullptr, nullptr), release);
+  while (const std::unique_ptr<OGRFeature> row{contents ? contents->GetNextFeature() : nullptr})
+    names.insert(row->GetFieldAsString(0));
   for (const std::string& name : names) {
     if (equal_names(name, target.layer_name())) {
       found.has_layer = true;
