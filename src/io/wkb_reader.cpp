@@ -38,25 +38,32 @@ std::string from_hexadecimal(const std::string& text, const std::string& name) {
   return bytes;
 }
 
-// The SRID of an EWKB geometry; 0 if it has none.
-unsigned srid_of(const std::string& bytes, std::size_t at) {
-  constexpr std::size_t header = 9;
+// Takes the SRID out of the head of an EWKB geometry, which GDAL does not read: the rest of the head moves by its size,
+// and `at` with it. Returns 0 if there is none.
+unsigned take_srid(std::string& bytes, std::size_t& at) {
+  constexpr std::size_t size = 4, head = 1 + 2 * size;
   constexpr std::uint32_t has_srid = 0x20000000;
-  if (bytes.size() - at < header) return 0;
+  if (bytes.size() - at < head) return 0;
+  const bool little = bytes[at] == '\1';
   const auto number = [&](std::size_t from) {
     std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + from, sizeof value);
-    return bytes[at] == '\1' ? value : __builtin_bswap32(value);
+    std::memcpy(&value, bytes.data() + from, size);
+    return little ? value : __builtin_bswap32(value);
   };
-  return number(at + 1) & has_srid ? number(at + 5) : 0;
+  const std::uint32_t type = number(at + 1), srid = number(at + 1 + size);
+  if (!(type & has_srid)) return 0;
+  const std::uint32_t plain = little ? type & ~has_srid : __builtin_bswap32(type & ~has_srid);
+  at += size;
+  bytes[at] = little ? '\1' : '\0';
+  std::memcpy(bytes.data() + at + 1, &plain, size);
+  return srid;
 }
 
 }  // namespace
 
 Layer read_wkb(const std::string& data, const std::string& name, const ReadOptions& options) {
   const bool hexadecimal = !data.empty() && static_cast<unsigned char>(data.front()) > 1;
-  const std::string decoded = hexadecimal ? from_hexadecimal(data, name) : std::string();
-  const std::string& bytes = hexadecimal ? decoded : data;
+  std::string bytes = hexadecimal ? from_hexadecimal(data, name) : data;
   Layer layer;
   layer.files.push_back(name);
   LayerBuilder builder(layer, 0, options);
@@ -66,7 +73,7 @@ Layer read_wkb(const std::string& data, const std::string& name, const ReadOptio
   GdalMessages messages;
   for (std::size_t at = 0; at < bytes.size(); ++feature) {
     const std::string place = fmt::format("geometry {}, byte {}", feature + 1, at);
-    if (srid.add(srid_of(bytes, at), place)) builder.set_crs(srid.wkt());
+    if (srid.add(take_srid(bytes, at), place)) builder.set_crs(srid.wkt());
     builder.begin_feature(feature, fmt::format("byte {}", at));
     OGRGeometry* made = nullptr;
     std::size_t consumed = 0;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -180,6 +181,7 @@ TEST(Formats, TablesKeepAttributes) {
     for (std::string& row : read.rows) {
       if (row.starts_with("gml_id=")) row = row.substr(row.find("code="));
     }
+    std::sort(read.rows.begin(), read.rows.end());  // FlatGeobuf sorts by place
     EXPECT_EQ(read.rows, rows) << extension;
     EXPECT_TRUE(contains(read.columns, "code: text, name: text, people: 64-bit integers, part: numbers")) << extension;
   }
