@@ -11,9 +11,11 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/job.h"
 #include "oblast/methods.h"
 #include "oblast/names.h"
+#include "oblast/outputs.h"
 
 namespace oblast::app {
 
@@ -31,31 +33,36 @@ For any other input the error names the contour, the vertex and another method. 
 that a method accepts, the result has the same bytes as that of `oblast overlay --merge`.
 
 Example
-  oblast classic sutherland-hodgman intersection land.gpkg window.wkt -o clip.gpkg)";
+  oblast classic sutherland-hodgman intersection land.gpkg window.gpkg -o clip.gpkg)";
 
 struct Arguments {
   ClassicMethod method = ClassicMethod::orourke;
   std::string word;
   Operation operation = Operation::intersection;
-  std::string a, b, output, picture;
-  bool overwrite = false, quiet = false;
+  std::string a, b, picture;
+  InputArguments input;
+  OutputArguments output;
+  bool quiet = false;
   CallOptions options;
 };
 
-void report(const Arguments& arguments, const RegionSet& result, const ClassicReport& done, double seconds, bool json) {
+void report(const Arguments& arguments, const RegionSet& result, const ClassicReport& done, double seconds,
+            const std::vector<std::string>& notes, bool json) {
+  if (!json || arguments.output.output != "-") print_notes(notes);
   if (json) {
     const nlohmann::ordered_json object{{"command", "classic"},
                                         {"method", arguments.word},
                                         {"operation", name(arguments.operation)},
-                                        {"output", arguments.output},
+                                        {"output", arguments.output.output},
                                         {"polygons", result.polygon_ends.size()},
                                         {"contours", result.contour_ends.size()},
                                         {"vertices", result.points.size()},
                                         {"area", signed_area(result)},
                                         {"meetings", done.meetings},
                                         {"handed_over", done.handed_over},
-                                        {"seconds", seconds}};
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+                                        {"seconds", seconds},
+                                        {"notes", notes}};
+    print_json(object, arguments.output.output);
   } else if (!arguments.quiet) {
     fmt::print(stderr, "{} {}: {}, {}, area {:.10g}, {} meetings, {:.6f} s{}\n", arguments.word,
                name(arguments.operation), counted(result.contour_ends.size(), "contour"),
@@ -66,15 +73,15 @@ void report(const Arguments& arguments, const RegionSet& result, const ClassicRe
 
 int run(const Arguments& arguments, bool json) {
   if (arguments.a == "-" && arguments.b == "-") throw CallError("standard input (-) can be named only once");
-  if (json && arguments.output == "-")
-    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  io::WriteOptions options;
-  options.existing = existing;
-  io::check_writable(arguments.output, options);
-  check_picture_call(arguments.picture, arguments.output, json);
+  const std::string& output = arguments.output.output;
+  io::WriteOptions options = write_options(arguments.output);
+  const io::Existing existing = options.existing;
+  io::check_writable(output, options);
+  check_picture_call(arguments.picture, output, json);
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
-  const OperandPair pair = read_pair(arguments.a, arguments.b);
+  const OperandPair pair = read_pair(arguments.a, arguments.b, read_options(arguments.input, output));
+  std::vector<std::string> notes = notes_of(pair);
+  options.notes = &notes;
   ClassicReport done;
   RegionSet result;
   const auto begin = std::chrono::steady_clock::now();
@@ -85,7 +92,7 @@ int run(const Arguments& arguments, bool json) {
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   options.crs_wkt = pair.crs_wkt();
-  io::write(arguments.output, result, options);
+  io::write(output, result, options);
   if (!arguments.picture.empty()) {
     io::Picture picture;
     picture.a = pair.a.regions;
@@ -95,7 +102,7 @@ int run(const Arguments& arguments, bool json) {
     if (pair.crs_wkt().rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
     io::write_picture(arguments.picture, io::to_svg(picture), existing);
   }
-  report(arguments, result, done, spent.count(), json);
+  report(arguments, result, done, spent.count(), notes, json);
   return exit_done;
 }
 
@@ -121,16 +128,12 @@ void add_classic(CLI::App& program, Invocation& invocation) {
           "the operation: intersection, union or difference")
       ->required()
       ->type_name("");
-  command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("A", a->a, input_help)->required()->type_name("");
   command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
-  command->add_option("-o,--output", a->output, "file for the result; `-`: WKT on standard output")
-      ->required()
-      ->type_name("OUT");
+  add_output_options(*command, a->output, invocation);
+  add_input_options(*command, a->input);
   add_call_options(*command, a->options);
   command->add_option("--svg,--picture", a->picture, picture_option)->type_name("PICTURE");
-  command->add_flag("--overwrite", a->overwrite, "replace existing files");
   command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
   command->add_flag("-q,--quiet", a->quiet, "print no summary");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace oblast::app {
 
@@ -16,7 +17,8 @@ inline constexpr int exit_interrupted = 130;
 /// What the program runs after it has read the command line.
 struct Invocation {
   std::function<int()> run;  ///< returns an exit code; may throw what program.cpp catches
-  bool json = false;         ///< print errors as an object on standard output, too
+  bool json = false;         ///< print errors as an object, too
+  std::string output = {};   ///< where the result goes; `-`: the object is printed on standard error
 };
 
 /// An error in the command line: options that contradict each other. Exit code 2.

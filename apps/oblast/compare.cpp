@@ -7,6 +7,7 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/comparison.h"
+#include "oblast/inputs.h"
 #include "oblast/names.h"
 
 namespace oblast::app {
@@ -20,11 +21,12 @@ few runs, and whether its result has the same bytes as that of the default engin
 exit code is 1 if the bytes of any method differ.
 
 Example
-  oblast compare districts.gpkg window.wkt --op intersection --svg compare.svg)";
+  oblast compare districts.gpkg window.gpkg --op intersection --svg compare.svg)";
 
 struct Arguments {
   std::string a, b, picture;
   Operation operation = Operation::intersection;
+  InputArguments input;
   bool overwrite = false;
   CallOptions options;
 };
@@ -34,7 +36,8 @@ int run(const Arguments& arguments, bool json) {
   const io::Existing existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   if (arguments.picture == "-") throw CallError("the table is on standard output; give --svg a file");
   if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, existing);
-  const OperandPair pair = read_pair(arguments.a, arguments.b);
+  const OperandPair pair = read_pair(arguments.a, arguments.b, read_options(arguments.input, {}));
+  print_notes(notes_of(pair));
   const std::vector<Row> rows = compare_methods(pair, arguments.operation, arguments.options);
   if (!arguments.picture.empty()) io::write_picture(arguments.picture, draw(rows, pair, arguments.operation), existing);
   if (json) {
@@ -58,15 +61,14 @@ void add_compare(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("compare", "Run every method on one pair of operands, and compare.");
   command->footer(footer);
-  command->add_option("A", a->a, "a vector file, a folder, or `-` for WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("A", a->a, input_help)->required()->type_name("");
   command->add_option("B", a->b, "the second operand, as A")->required()->type_name("");
   command
       ->add_option_function<std::string>(
           "--op", [a](const std::string& word) { a->operation = parse_operation(word); },
           "the operation: intersection (default), union, difference or symdifference")
       ->type_name("OP");
+  add_input_options(*command, a->input);
   add_call_options(*command, a->options);
   command->add_option("--svg,--picture", a->picture, "also draw a picture (.svg or .png) with one panel per method")
       ->type_name("PICTURE");

@@ -48,9 +48,7 @@ void add_depth(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("depth", "Count the features that cover each place.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("IN", arguments->inputs, input_help)->required()->type_name("");
   command->add_option("--by", arguments->by, "count different values of these columns, not features")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -80,9 +80,7 @@ void add_dissolve(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("dissolve", "Unite the features that have the same attributes.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("IN", arguments->inputs, input_help)->required()->type_name("");
   command->add_option("--by", arguments->by, "the columns whose values make the groups (default: one group)")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -11,6 +11,8 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
+#include "oblast/outputs.h"
 
 namespace oblast::app {
 
@@ -26,18 +28,20 @@ Example
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output;
-  bool overwrite = false, quiet = false;
+  InputArguments input;
+  OutputArguments output;
+  bool quiet = false;
   CallOptions options;
 };
 
 int run(const Arguments& arguments, bool json) {
-  if (json && arguments.output == "-")
-    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  io::WriteOptions options;
-  options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  io::check_writable(arguments.output, options);
-  const io::Layer layer = io::read(arguments.inputs);
+  const std::string& output = arguments.output.output;
+  io::WriteOptions options = write_options(arguments.output);
+  io::check_writable(output, options);
+  const io::Layer layer = io::read(arguments.inputs, read_options(arguments.input, output));
+  std::vector<std::string> notes = reading_notes("input", layer);
+  append(notes, attributes_note("input", layer.columns));
+  options.notes = &notes;
   RegionSet result;
   try {
     result = hull(RegionView(layer.regions), arguments.options);
@@ -46,14 +50,16 @@ int run(const Arguments& arguments, bool json) {
     throw io::IoError(fmt::format("{}: {}", io::describe(layer, error.place()), error.what()));
   }
   options.crs_wkt = layer.crs_wkt;
-  io::write(arguments.output, result, options);
+  io::write(output, result, options);
+  if (!json || output != "-") print_notes(notes);
   if (json) {
     const nlohmann::ordered_json object{{"command", "hull"},
-                                        {"output", arguments.output},
+                                        {"output", output},
                                         {"input_vertices", layer.regions.points.size()},
                                         {"vertices", result.points.size()},
-                                        {"area", signed_area(result)}};
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+                                        {"area", signed_area(result)},
+                                        {"notes", notes}};
+    print_json(object, output);
   } else if (!arguments.quiet) {
     fmt::print(stderr, "hull of {} in {}: {}, area {}\n", counted(layer.regions.points.size(), "vertex"),
                counted(layer.regions.contour_ends.size(), "contour"), counted(result.points.size(), "corner"),
@@ -68,14 +74,10 @@ void add_hull(CLI::App& program, Invocation& invocation) {
   const auto a = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("hull", "The convex hull of all contours.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
-  command->add_option("-o,--output", a->output, "file for the hull; `-`: WKT on standard output")
-      ->required()
-      ->type_name("OUT");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
+  add_output_options(*command, a->output, invocation);
+  add_input_options(*command, a->input);
   add_call_options(*command, a->options);
-  command->add_flag("--overwrite", a->overwrite, "replace an existing file");
   command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
   command->add_flag("-q,--quiet", a->quiet, "print no summary");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });

@@ -37,7 +37,7 @@ std::vector<io::Layer> read_operands(const Job& job, const JobArguments& argumen
                     (static_cast<double>(k) + share) / static_cast<double>(job.operands.size()));
     };
     show(0);
-    io::ReadOptions options;
+    io::ReadOptions options = read_options(arguments.input, arguments.output.output);
     options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.threads = arguments.options.threads;
     options.progress = [&](std::size_t done, std::size_t files) {
@@ -79,15 +79,13 @@ std::string short_name(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json) {
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments) {
   int from_standard_input = 0;
   for (const auto& paths : operands) {
     for (const std::string& path : paths) from_standard_input += path == "-";
   }
   if (from_standard_input > 1) throw CallError("standard input (-) can be named only once");
-  if (json && arguments.output == "-")
-    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  check_picture_call(arguments.picture, arguments.output, json);
+  check_picture_call(arguments.picture, arguments.output.output, json);
 }
 
 void check_picture_call(const std::string& picture, const std::string& output, bool json) {
@@ -96,13 +94,6 @@ void check_picture_call(const std::string& picture, const std::string& output, b
     throw CallError(
         fmt::format("--svg - and {} both write to standard output; give one of them a file", json ? "--json" : "-o -"));
   if (picture == output) throw CallError("--svg and -o name the same file; give them different names");
-}
-
-void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b) {
-  if (io::same_crs(a.crs_wkt, b.crs_wkt)) return;
-  throw io::IoError(
-      fmt::format("two coordinate systems: {} ({}) is in {}, {} ({}) is in {}; transform one of them first", label_a,
-                  a.files.front(), io::crs_name(a.crs_wkt), label_b, b.files.front(), io::crs_name(b.crs_wkt)));
 }
 
 void draw(const JobPicture& job, const JobArguments& arguments) {
@@ -123,15 +114,13 @@ void draw(const JobPicture& job, const JobArguments& arguments) {
   picture.classes = job.classes;
   const io::RowMeasures measures(crs);
   if (!measures.geodesic()) picture.unit = measures.coordinate_unit();
-  io::write_picture(arguments.picture, io::to_svg(picture),
-                    arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse);
+  io::write_picture(arguments.picture, io::to_svg(picture), write_options(arguments.output).existing);
 }
 
 void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
   JobArguments* const a = &arguments;
-  command.add_option("-o,--output", a->output, "file for the result; `-`: WKT on standard output")
-      ->required()
-      ->type_name("OUT");
+  add_output_options(command, a->output, invocation);
+  add_input_options(command, a->input);
   command
       .add_option_function<std::string>(
           "--contours", [a](const std::string& word) { a->options.contours = parse_contours(word); },
@@ -140,9 +129,9 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
   command.add_flag("--minimal", a->minimal, "leave out vertices exactly on the line between their neighbours");
   add_call_options(command, a->options);
   command.add_option("--svg,--picture", a->picture, picture_option)->type_name("PICTURE");
-  command.add_flag("--overwrite", a->overwrite, "replace existing files");
   command.add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
-  command.add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
+  command.add_flag("--json", invocation.json,
+                   "print the summary as one JSON object on standard output (with `-o -`: on standard error)");
   command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
 }
 
@@ -170,18 +159,22 @@ void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& inv
 
 int run_job(const Job& job, const JobArguments& arguments, bool json) {
   const Stopwatch total;
-  check_call(job.operands, arguments, json);
-  io::WriteOptions write_options;
-  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-
-  io::check_writable(arguments.output, write_options);
-  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, write_options.existing);
-
+  check_call(job.operands, arguments);
   Summary summary;
+  io::WriteOptions writing_options = write_options(arguments.output);
+  writing_options.notes = &summary.notes;
+  io::check_writable(arguments.output.output, writing_options);
+  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, writing_options.existing);
+
   JobProgress progress(!arguments.quiet, !arguments.picture.empty());
   const Stopwatch reading;
   const std::vector<io::Layer> layers = read_operands(job, arguments, progress);
-  if (layers.size() > 1) check_same_crs("A", layers[0], "B", layers[1]);
+  if (layers.size() > 1) require_same_crs("A", layers[0], "B", layers[1]);
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    append(summary.notes, reading_notes(label(job, k), layers[k]));
+    append(summary.notes, attributes_note(label(job, k), layers[k].columns));
+  }
+  if (layers.size() > 1) append(summary.notes, apart_note("A", layers[0], "B", layers[1]));
   summary.seconds_read = reading.seconds();
 
   Options options = arguments.options;
@@ -193,8 +186,8 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
 
   progress.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
-  write_options.crs_wkt = layers[0].crs_wkt.empty() ? layers.back().crs_wkt : layers[0].crs_wkt;
-  io::write(arguments.output, result, write_options);
+  writing_options.crs_wkt = layers[0].crs_wkt;
+  io::write(arguments.output.output, result, writing_options);
   summary.seconds_write = writing.seconds();
 
   if (!arguments.picture.empty()) {
@@ -211,16 +204,12 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   summary.command = job.command;
   for (std::size_t k = 0; k < layers.size(); ++k)
     summary.operands.push_back(summarise(label(job, k), job.operands[k], layers[k]));
-  summary.output = arguments.output;
+  summary.output = arguments.output.output;
   summary.picture = arguments.picture;
   summary.engine = options.engine;
   add_measures(summary, result, write_options.crs_wkt, !json && !arguments.quiet);
   summary.seconds_total = total.seconds();
-  if (json) {
-    fmt::print("{}\n", to_json(summary).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  } else if (!arguments.quiet) {
-    fmt::print(stderr, "{}", to_text(summary));
-  }
+  report(summary, json, arguments.quiet);
   return exit_done;
 }
 

@@ -12,14 +12,16 @@
 #include "io/layer.h"
 #include "io/picture.h"
 #include "oblast/command.h"
+#include "oblast/inputs.h"
+#include "oblast/outputs.h"
 
 namespace oblast::app {
 
 /// Options as given on the command line. Commands whose results are rows have some of them.
 struct JobArguments {
-  std::string output;
+  InputArguments input;
+  OutputArguments output;
   std::string picture;
-  bool overwrite = false;
   bool strict = false;
   bool quiet = false;
   bool minimal = false;
@@ -35,9 +37,7 @@ enum class Operands { one, two };
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands);
 
 /// Checks that options do not contradict each other. Throws CallError.
-void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json);
-/// Throws IoError, which names the files, if A and another operand have different coordinate systems.
-void check_same_crs(const std::string& label_a, const io::Layer& a, const std::string& label_b, const io::Layer& b);
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments);
 
 /// Throws CallError if the picture cannot be where the other output is.
 void check_picture_call(const std::string& picture, const std::string& output, bool json);

@@ -14,6 +14,7 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/names.h"
 
 namespace oblast::app {
@@ -29,6 +30,7 @@ Example: the months of `oblast generate fires -o fires` (fires-2011-04-..., ...)
   oblast layers fires --prefix 13)";
 
 struct Arguments {
+  InputArguments input;
   std::vector<std::string> inputs;
   std::size_t prefix = 0;
   Options options;
@@ -129,12 +131,14 @@ int run(const Arguments& arguments, bool json) {
     all.files += group.files;
   };
   if (arguments.prefix > 0) {
-    io::Layer layer = io::read(arguments.inputs);
+    io::Layer layer = io::read(arguments.inputs, read_options(arguments.input, {}));
+    print_notes(reading_notes("input", layer));
     for (const auto& [name, group] : groups_by_prefix(layer, arguments.prefix)) add(name, group);
     all.contours = std::move(layer.regions);
   } else {
     for (const std::string& input : arguments.inputs) {
-      io::Layer layer = io::read(std::span(&input, 1));
+      io::Layer layer = io::read(std::span(&input, 1), read_options(arguments.input, {}));
+      print_notes(reading_notes(input, layer));
       const RegionView regions = layer.regions;
       append(all.contours, regions, 0, regions.polygon_count());
       add(input, {layer.files.size(), std::move(layer.regions)});
@@ -156,9 +160,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("layers", "Count layers of disjoint contours, and unite, by groups of files.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
   command->add_option("--prefix", a->prefix, "group the files by the first N characters of their names")
       ->check(CLI::Validator(CLI::PositiveNumber).description(""))
       ->type_name("N");
@@ -170,6 +172,7 @@ void add_layers(CLI::App& program, Invocation& invocation) {
           "--engine", [a](const std::string& word) { a->options.engine = parse_engine(word); },
           "the engine of the union: vatti (default, as in the paper), leonov-nikitin or skvortsov")
       ->type_name("ENGINE");
+  add_input_options(*command, a->input);
   add_call_options(*command, a->options);
   command->add_flag("--json", invocation.json, "print one JSON object on standard output instead of the table");
   command->callback([a, &invocation] { invocation.run = [a, &invocation] { return run(*a, invocation.json); }; });

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <vector>
 
-#include "io/crs.h"
-#include "io/read.h"
+#include "oblast/inputs.h"
 
 namespace oblast::app {
 
@@ -37,13 +35,20 @@ ClassicMethod parse_classic(const std::string& word) {
   throw CLI::ValidationError(fmt::format("'{}' is not a classic method; choose from {}", word, known));
 }
 
-OperandPair read_pair(const std::string& a, const std::string& b) {
+OperandPair read_pair(const std::string& a, const std::string& b, const io::ReadOptions& options) {
   const std::vector<std::string> a_paths{a}, b_paths{b};
-  OperandPair pair{io::read(a_paths), io::read(b_paths)};
-  if (!io::same_crs(pair.a.crs_wkt, pair.b.crs_wkt))
-    throw io::IoError(fmt::format("two coordinate systems: {} is in {}, {} is in {}; transform one of them first", a,
-                                  io::crs_name(pair.a.crs_wkt), b, io::crs_name(pair.b.crs_wkt)));
+  OperandPair pair{io::read(a_paths, options), io::read(b_paths, options)};
+  require_same_crs("A", pair.a, "B", pair.b);
   return pair;
+}
+
+std::vector<std::string> notes_of(const OperandPair& pair) {
+  std::vector<std::string> notes = reading_notes("A", pair.a);
+  append(notes, attributes_note("A", pair.a.columns));
+  append(notes, reading_notes("B", pair.b));
+  append(notes, attributes_note("B", pair.b.columns));
+  append(notes, apart_note("A", pair.a, "B", pair.b));
+  return notes;
 }
 
 std::string describe(const OperandPair& pair, const Error& error) {

@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/layer.h"
+#include "io/read.h"
 
 namespace oblast::app {
 
@@ -33,11 +35,13 @@ ClassicMethod parse_classic(const std::string& word);
 /// Two operands that were read. Their coordinate systems agree.
 struct OperandPair {
   io::Layer a, b;
-  const std::string& crs_wkt() const { return a.crs_wkt.empty() ? b.crs_wkt : a.crs_wkt; }
+  const std::string& crs_wkt() const { return a.crs_wkt; }
 };
 
 /// Throws IoError.
-OperandPair read_pair(const std::string& a, const std::string& b);
+OperandPair read_pair(const std::string& a, const std::string& b, const io::ReadOptions& options);
+/// What was passed over, and what looks wrong.
+std::vector<std::string> notes_of(const OperandPair& pair);
 
 /// The message of an error, with its place in the files.
 std::string describe(const OperandPair& pair, const Error& error);

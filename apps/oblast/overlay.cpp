@@ -103,9 +103,7 @@ void add_overlay(CLI::App& program, Invocation& invocation) {
           "the operation: intersection, union, difference, symdifference or identity")
       ->required()
       ->type_name("");
-  command->add_option("A", arguments->a, "a vector file, a folder, or `-` for WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("A", arguments->a, input_help)->required()->type_name("");
   command->add_option("B", arguments->b, "the second layer, as A")->required()->type_name("");
   command->add_flag("--merge", arguments->merge,
                     "one region, without attributes (needed for --engine and some --fill)");

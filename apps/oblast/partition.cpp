@@ -60,9 +60,7 @@ void add_partition(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("partition", "Cut the plane by all features, and name those of each part.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "layers: vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("IN", arguments->inputs, input_help)->required()->type_name("");
   add_row_options(*command, arguments->rows, Select::none);
   add_file_options(*command, arguments->job, invocation);
   command->callback([arguments, &invocation] {

@@ -25,10 +25,12 @@ Exit codes: 0 success, 1 an error in the data, 2 an error in the command line (a
 input that cannot be opened), 130 interrupted.)";
 
 int fail(const Invocation& invocation, int code, const std::string& message) {
-  fmt::print(stderr, "oblast: {}\n", message);
+  const bool piped = invocation.output == "-";
+  if (!invocation.json || !piped) fmt::print(stderr, "oblast: {}\n", message);
   if (invocation.json) {
     const nlohmann::ordered_json object{{"error", message}, {"exit_code", code}};
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print(piped ? stderr : stdout, "{}\n",
+               object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   }
   return code;
 }

@@ -32,13 +32,6 @@ std::vector<std::vector<std::string>> paths_of(const std::vector<RowInput>& inpu
   return paths;
 }
 
-io::WriteOptions write_options(const JobArguments& arguments, const std::string& crs_wkt) {
-  io::WriteOptions options;
-  options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  options.crs_wkt = crs_wkt;
-  return options;
-}
-
 }  // namespace
 
 void add_row_options(CLI::App& command, RowArguments& arguments, Select select) {
@@ -73,9 +66,9 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
   const char* const instead = inputs_.size() > 1 ? "add --merge" : "leave out --source";
   check_fill(arguments_.fill, "--fill", instead);
   if (arguments_.fill_b) check_fill(*arguments_.fill_b, "--fill-b", instead);
-  io::check_writable(arguments_.output, write_options(arguments_, {}));
-  if (!arguments_.picture.empty())
-    io::check_picture_writable(arguments_.picture, write_options(arguments_, {}).existing);
+  const io::WriteOptions writing = write_options(arguments_.output);
+  io::check_writable(arguments_.output.output, writing);
+  if (!arguments_.picture.empty()) io::check_picture_writable(arguments_.picture, writing.existing);
 
   const Stopwatch reading;
   for (const RowInput& input : inputs_) {
@@ -83,7 +76,7 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
       progress_.show(Phase::reading, "reading " + input.label, (before + share) / static_cast<double>(inputs_.size()));
     };
     show(0);
-    io::ReadOptions options;
+    io::ReadOptions options = read_options(arguments_.input, arguments_.output.output);
     options.other = arguments_.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.where = input.where.value_or(row_arguments_.where);
     options.threads = arguments_.options.threads;
@@ -92,10 +85,13 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
     };
     layers_.push_back(io::read_rows(input.paths, options, notes_));
     const io::Layer& layer = layers_.back().layer;
+    append(notes_, reading_notes(input.label, layer));
     for (std::size_t k = 0; k + 1 < layers_.size(); ++k)
-      check_same_crs(inputs_[k].label, layers_[k].layer, input.label, layer);
-    if (crs_wkt_.empty()) crs_wkt_ = layer.crs_wkt;
+      require_same_crs(inputs_[k].label, layers_[k].layer, input.label, layer);
   }
+  crs_wkt_ = layers_.front().layer.crs_wkt;
+  if (layers_.size() == 2)
+    append(notes_, apart_note(inputs_[0].label, layers_[0].layer, inputs_[1].label, layers_[1].layer));
   summary_.seconds_read = reading.seconds();
   for (const std::string& column : row_arguments_.select) check_column(column, layers_);
 }
@@ -162,9 +158,12 @@ void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, co
 int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture) {
   add_measures(rows, columns);
   check_colour(columns);
+  note_attributes(columns);
   progress_.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
-  io::write_rows(arguments_.output, rows, columns.columns, write_options(arguments_, crs_wkt_), notes_);
+  io::WriteOptions options = write_options(arguments_.output);
+  options.crs_wkt = crs_wkt_;
+  io::write_rows(arguments_.output.output, rows, columns.columns, options, notes_);
   summary_.seconds_write = writing.seconds();
   if (!arguments_.picture.empty()) {
     stop_before_more_output();
@@ -174,35 +173,39 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPict
     summary_.seconds_picture = drawing.seconds();
   }
   progress_.clear();
-  print_notes();
   print_summary(rows, columns.columns.size());
   return exit_done;
 }
 
-// Notes are printed with --quiet, too: what the file does not hold must not go unsaid.
-void RowJob::print_notes() const {
-  for (const std::string& note : notes_) fmt::print(stderr, "note: {}\n", note);
-  if (arguments_.quiet) return;
-  for (const std::string& unit : units_) fmt::print(stderr, "note: {}\n", unit);
+// A layer of which no column is kept, and whose columns no column of the result was computed from.
+void RowJob::note_attributes(const ResultColumns& columns) {
+  if (!row_arguments_.select.empty()) return;
+  for (std::size_t k = 0; k < layers_.size(); ++k) {
+    const io::AttributeTable& table = layers_[k].table;
+    bool used = false;
+    std::vector<std::string> names;
+    for (const io::Column& of_layer : table.columns()) {
+      names.push_back(of_layer.name);
+      for (const io::OutputColumn& column : columns.columns)
+        used = used || column.table == &table || column.column.name.starts_with(of_layer.name);
+    }
+    if (!used) append(notes_, attributes_note(inputs_[k].label, names));
+  }
 }
 
 void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
   summary_.command = command_;
   for (std::size_t k = 0; k < layers_.size(); ++k)
     summary_.operands.push_back(summarise(inputs_[k].label, inputs_[k].paths, layers_[k].layer));
-  summary_.output = arguments_.output;
+  summary_.output = arguments_.output.output;
   summary_.picture = arguments_.picture;
   summary_.rows = rows.feature_count();
   summary_.columns = columns;
   summary_.notes = notes_;
-  summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
+  summary_.units = units_;
   app::add_measures(summary_, rows.regions, crs_wkt_, !json_ && !arguments_.quiet);
   summary_.seconds_total = total_.seconds();
-  if (json_) {
-    fmt::print("{}\n", to_json(summary_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  } else if (!arguments_.quiet) {
-    fmt::print(stderr, "{}", to_text(summary_));
-  }
+  report(summary_, json_, arguments_.quiet);
 }
 
 }  // namespace oblast::app

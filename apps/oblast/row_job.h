@@ -82,7 +82,7 @@ class RowJob {
   void check_colour(const ResultColumns& columns) const;
   void draw_rows(const FeatureView& rows, const ResultColumns& columns, const RowPicture& picture);
   void add_measures(const FeatureView& rows, ResultColumns& columns);
-  void print_notes() const;
+  void note_attributes(const ResultColumns& columns);
   void print_summary(const FeatureView& rows, std::size_t columns);
 
   Stopwatch total_;

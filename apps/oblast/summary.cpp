@@ -6,7 +6,9 @@
 #include "io/crs.h"
 #include "io/row_measures.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/names.h"
+#include "oblast/outputs.h"
 
 namespace oblast::app {
 
@@ -16,30 +18,28 @@ using Json = nlohmann::ordered_json;
 
 std::string line(const std::string& head, const std::string& text) { return fmt::format("  {:<9} {}\n", head, text); }
 
-void append(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
+void append_item(std::string& list, const std::string& text) { list += (list.empty() ? "" : ", ") + text; }
 
 // Each note about the files appears once, with the number of features that it concerns.
 std::string notes(const OperandSummary& operand) {
   const io::ReadReport& r = operand.report;
   std::string text;
-  if (r.with_z) append(text, counted(r.with_z, "feature") + " with Z, which was ignored");
-  if (r.with_m) append(text, counted(r.with_m, "feature") + " with M, which was ignored");
-  if (r.null_geometries) append(text, counted(r.null_geometries, "null geometry"));
-  if (r.empty_geometries) append(text, counted(r.empty_geometries, "empty geometry"));
-  if (r.lines) append(text, counted(r.lines, "line feature") + " passed over");
-  if (r.points) append(text, counted(r.points, "point feature") + " passed over");
-  if (r.unclosed_contours) append(text, counted(r.unclosed_contours, "unclosed contour") + " closed");
-  if (r.repeated_vertices) append(text, counted(r.repeated_vertices, "repeated vertex") + " dropped");
+  if (r.with_z) append_item(text, counted(r.with_z, "feature") + " with Z, which was ignored");
+  if (r.with_m) append_item(text, counted(r.with_m, "feature") + " with M, which was ignored");
+  if (r.null_geometries) append_item(text, counted(r.null_geometries, "null geometry"));
+  if (r.empty_geometries) append_item(text, counted(r.empty_geometries, "empty geometry"));
+  if (r.unclosed_contours) append_item(text, counted(r.unclosed_contours, "unclosed contour") + " closed");
+  if (r.repeated_vertices) append_item(text, counted(r.repeated_vertices, "repeated vertex") + " dropped");
   return text;
 }
 
 std::string stage_times(const Summary& summary) {
   std::string text = fmt::format("{:.3f} s: read {:.3f}", summary.seconds_total, summary.seconds_read);
   for (int stage = 0; stage < stage_count; ++stage) {
-    append(text, fmt::format("{} {:.3f}", name(static_cast<Stage>(stage)), summary.statistics.seconds[stage]));
+    append_item(text, fmt::format("{} {:.3f}", name(static_cast<Stage>(stage)), summary.statistics.seconds[stage]));
   }
-  append(text, fmt::format("write {:.3f}", summary.seconds_write));
-  if (!summary.picture.empty()) append(text, fmt::format("picture {:.3f}", summary.seconds_picture));
+  append_item(text, fmt::format("write {:.3f}", summary.seconds_write));
+  if (!summary.picture.empty()) append_item(text, fmt::format("picture {:.3f}", summary.seconds_picture));
   return text;
 }
 
@@ -64,6 +64,8 @@ Json to_json(const OperandSummary& operand) {
               {"points_passed_over", r.points},
               {"features_with_z", r.with_z},
               {"features_with_m", r.with_m},
+              {"vertices_beyond_pole", r.beyond_pole},
+              {"polygons_across_date_line", r.across_date_line},
               {"unclosed_contours", r.unclosed_contours},
               {"repeated_vertices", r.repeated_vertices}};
 }
@@ -76,6 +78,19 @@ void add_measures(Summary& summary, const RegionView& regions, const std::string
   summary.unit = measures.coordinate_unit();
   summary.area = signed_area(regions);
   if (text) summary.area_text = measures.area_text(regions);
+}
+
+void report(const Summary& summary, bool json, bool quiet) {
+  // JSON on standard error is the only thing there.
+  if (!json || summary.output != "-") {
+    print_notes(summary.notes);
+    if (!quiet) print_notes(summary.units);
+  }
+  if (json) {
+    print_json(to_json(summary), summary.output);
+  } else if (!quiet) {
+    fmt::print(stderr, "{}", to_text(summary));
+  }
 }
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer) {
@@ -140,8 +155,9 @@ Json to_json(const Summary& summary) {
   if (summary.rows) {
     object["result"]["rows"] = *summary.rows;
     object["result"]["columns"] = summary.columns;
-    object["notes"] = summary.notes;
   }
+  object["notes"] = summary.notes;
+  for (const std::string& unit : summary.units) object["notes"].push_back(unit);
   if (!summary.picture.empty()) object["picture"] = summary.picture;
   if (!summary.more.is_null()) object.update(summary.more);
   return object;

@@ -32,7 +32,8 @@ struct Summary {
   Statistics statistics;
   std::optional<std::uint64_t> rows;  ///< of the result, if it has rows
   std::uint64_t columns = 0;          ///< of its table
-  std::vector<std::string> notes;     ///< on its columns
+  std::vector<std::string> notes;     ///< on the reading and on the file that was written: one line each
+  std::vector<std::string> units;     ///< of the measures: one line each
   bool noded = true;                  ///< false: the command counts no intersections
   nlohmann::ordered_json more;        ///< members that only this command has; null: none
   double area = 0;                    ///< of all rows together, in squared units of the coordinates
@@ -48,6 +49,10 @@ struct Summary {
 void add_measures(Summary& summary, const RegionView& regions, const std::string& crs_wkt, bool text);
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer);
+
+/// Prints the notes, also if the user wants no summary: what was passed over must not go unsaid. Then the summary, as
+/// text or as JSON, which has the notes, too.
+void report(const Summary& summary, bool json, bool quiet);
 
 /// A few lines. The last one also ends with a line break.
 std::string to_text(const Summary& summary);

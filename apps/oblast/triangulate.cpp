@@ -11,8 +11,10 @@
 #include "oblast/call_options.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/inputs.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
+#include "oblast/outputs.h"
 
 namespace oblast::app {
 
@@ -30,10 +32,10 @@ Example
 
 struct Arguments {
   std::vector<std::string> inputs;
-  std::string output;
+  InputArguments input;
+  OutputArguments output;
   TriangulateOptions options;
   bool hull = false;
-  bool overwrite = false;
   bool strict = false;
   bool quiet = false;
 };
@@ -67,44 +69,49 @@ Triangulation compute(const io::Layer& layer, TriangulateOptions options, JobPro
   }
 }
 
-void report(const Triangulation& triangulation, const Arguments& arguments, bool json) {
+void report(const Triangulation& triangulation, const Arguments& arguments, const std::vector<std::string>& notes,
+            bool json) {
+  const std::string& output = arguments.output.output;
+  if (!json || output != "-") print_notes(notes);
   if (json) {
     const nlohmann::ordered_json object{{"polygons", triangulation.regions.polygon_ends.size()},
                                         {"vertices", triangulation.points.size()},
                                         {"triangles", triangulation.triangles.size()},
-                                        {"output", arguments.output}};
-    fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+                                        {"output", output},
+                                        {"notes", notes}};
+    print_json(object, output);
   } else if (!arguments.quiet) {
     fmt::print(stderr, "{} of {}, {}, to {}\n", counted(triangulation.triangles.size(), "triangle"),
                counted(triangulation.regions.polygon_ends.size(), "polygon"),
-               counted(triangulation.points.size(), "vertex"), arguments.output);
+               counted(triangulation.points.size(), "vertex"), output);
   }
 }
 
 int run(const Arguments& arguments, bool json) {
-  if (json && arguments.output == "-")
-    throw CallError("--json and `-o -` both write to standard output; leave one of them out");
-  io::WriteOptions write_options;
-  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  io::check_writable(arguments.output, write_options);
+  const std::string& output = arguments.output.output;
+  io::WriteOptions writing_options = write_options(arguments.output);
+  io::check_writable(output, writing_options);
 
   JobProgress progress(!arguments.quiet, false);
   progress.show(Phase::reading, "reading", 0);
-  io::ReadOptions read_options;
-  read_options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
-  const io::Layer layer = io::read(arguments.inputs, read_options);
+  io::ReadOptions reading_options = read_options(arguments.input, output);
+  reading_options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
+  const io::Layer layer = io::read(arguments.inputs, reading_options);
+  std::vector<std::string> notes = reading_notes("input", layer);
+  append(notes, attributes_note("input", layer.columns));
+  writing_options.notes = &notes;
   TriangulateOptions options = arguments.options;
   options.extent = arguments.hull ? TriangleExtent::convex_hull : TriangleExtent::interior;
   const Triangulation triangulation = compute(layer, options, progress);
 
   progress.show(Phase::writing, "writing", 0);
-  write_options.crs_wkt = layer.crs_wkt;
+  writing_options.crs_wkt = layer.crs_wkt;
   // The unsigned value `none` becomes -1.
   const std::vector<std::int32_t> numbers(triangulation.polygon.begin(), triangulation.polygon.end());
-  write_options.polygon_numbers = numbers;
-  io::write(arguments.output, polygons_of(triangulation), write_options);
+  writing_options.polygon_numbers = numbers;
+  io::write(output, polygons_of(triangulation), writing_options);
   progress.clear();
-  report(triangulation, arguments, json);
+  report(triangulation, arguments, notes, json);
   return exit_done;
 }
 
@@ -116,12 +123,9 @@ void add_triangulate(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("triangulate", "Triangulate the union (constrained Delaunay), with polygon numbers.");
   command->footer(footer);
-  command->add_option("IN", a->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
-  command->add_option("-o,--output", a->output, "file for the triangles; `-`: WKT on standard output")
-      ->required()
-      ->type_name("OUT");
+  command->add_option("IN", a->inputs, input_help)->required()->type_name("");
+  add_output_options(*command, a->output, invocation);
+  add_input_options(*command, a->input);
   command
       ->add_option_function<std::string>(
           "--fill", [a](const std::string& word) { a->options.fill_a = parse_fill(word); },
@@ -129,7 +133,6 @@ void add_triangulate(CLI::App& program, Invocation& invocation) {
       ->type_name("RULE");
   command->add_flag("--hull", a->hull, "also write the triangles outside the polygons, up to the convex hull");
   add_call_options(*command, a->options);
-  command->add_flag("--overwrite", a->overwrite, "replace existing files");
   command->add_flag("--strict", a->strict, "stop with an error at lines and points (default: skip them)");
   command->add_flag("--json", invocation.json, "print the summary as one JSON object on standard output");
   command->add_flag("-q,--quiet", a->quiet, "print no progress and no summary");

@@ -70,9 +70,7 @@ void add_union(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("union", "Unite all polygons of all files in one pass.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "vector files or folders; `-`: WKT on standard input")
-      ->required()
-      ->type_name("");
+  command->add_option("IN", arguments->inputs, input_help)->required()->type_name("");
   command
       ->add_option("--source", arguments->source, "cut the result by file, and add a column with the files of each row")
       ->type_name("COLUMN");

@@ -14,8 +14,8 @@ namespace oblast {
 /// Reads the polygons of one geometry: a POLYGON, a MULTIPOLYGON, or a GEOMETRYCOLLECTION of these, nested up to 64
 /// levels deep. Any of them may be EMPTY. Letters may be capital or small. The type may have the suffix Z, M or ZM
 /// ("POLYGON Z" or "POLYGONZ"), and EWKT's "SRID=4326;" may stand before it. Z, M and the SRID are ignored. Without a
-/// suffix a point may have two to four numbers. The closing point of a ring is removed; a ring without one is accepted.
-/// Empty rings and empty polygons are left out. Each number becomes the nearest double.
+/// suffix the points of a geometry have two, three or four numbers, all alike. The closing point of a ring is removed;
+/// a ring without one is accepted. Empty rings and empty polygons are left out. Each number becomes the nearest double.
 ///
 /// Cost: linear. Throws Error, with Place::byte: bad_wkt if the text is anything else, or more text follows; not_finite
 /// at nan or inf; out_of_domain at a number outside the domain, also one that is too large or too small for a double.

@@ -76,10 +76,4 @@ bool is_integer(ColumnType type);
 bool is_number(ColumnType type);
 bool is_list(ColumnType type);
 
-/// The attributes of the rows of `layer`, which was read from `files` with FeatureEntries::all and the same condition.
-/// Columns of several files are joined by name. If their types differ, the column is wide enough for both, or text;
-/// `notes` says so. Throws IoError.
-AttributeTable read_attributes(std::span<const std::string> files, const std::string& where, const Layer& layer,
-                               std::vector<std::string>& notes);
-
 }  // namespace oblast::io

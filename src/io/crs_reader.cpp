@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "io/crs_code.h"
 #include "io/formats.h"
 #include "io/gdal_session.h"
 #include "io/layer.h"
@@ -21,12 +22,7 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   // A GeoPackage without a coordinate system has a system of this name.
   const char* title = crs.GetName();
   if (title && std::string_view(title).starts_with("Undefined ")) return {};
-  const char* const wkt2[] = {"FORMAT=WKT2_2019", nullptr};
-  char* text = nullptr;
-  const OGRErr error = crs.exportToWkt(&text, wkt2);
-  const std::string result = error == OGRERR_NONE && text ? text : "";
-  CPLFree(text);
-  return result;
+  return horizontal_wkt(crs);
 }
 
 // GDAL compares a .prj with every system in PROJ's database. This takes a tenth of a second if the database does not

@@ -47,7 +47,22 @@ const Limits& limits_of(const std::string& path) {
       0,
       Case::matters,
       0};
+  static const Limits csv{
+      "CSV", {integer, integer64, real, text, date, time, date_time}, {boolean, int16, float32}, 0, Case::ignored, 0};
+  static const Limits kml{"KML", {integer, real, text}, {}, 0, Case::ignored, 0};
+  static const Limits gml{
+      "GML", {integer, integer64, real, text, date, date_time}, {boolean, int16, float32}, 0, Case::matters, 0};
+  static const Limits parquet{"Parquet",
+                              {integer, integer64, real, text, date, time, date_time, binary},
+                              {boolean, int16, float32},
+                              0,
+                              Case::matters,
+                              0};
   const std::string extension = lower_extension(path);
+  if (extension == ".csv") return csv;
+  if (extension == ".kml") return kml;
+  if (extension == ".gml") return gml;
+  if (extension == ".parquet") return parquet;
   if (extension == ".shp") return shapefile;
   if (extension == ".gpkg") return geopackage;
   if (extension == ".fgb") return flatgeobuf;

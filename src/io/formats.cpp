@@ -1,9 +1,15 @@
 // The list of formats; see formats.h.
 #include "io/formats.h"
 
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+
+#include "io/gdal_session.h"
+#include "io/layer.h"
 
 namespace oblast::io {
 
@@ -19,8 +25,11 @@ constexpr Format known[] = {
     {".topojson", {"TopoJSON", "GeoJSON"}, nullptr, false, false},
     {".geojsonl", {"GeoJSONSeq", "GeoJSON"}, nullptr, false, false},
     {".geojsons", {"GeoJSONSeq", "GeoJSON"}, nullptr, false, false},
-    {".kml", {"KML", "LIBKML"}, nullptr, false, false},
-    {".gml", {"GML"}, nullptr, false, false},
+    {".csv", {"CSV"}, nullptr, true, true},
+    {".wkb", {}, nullptr, true, false},
+    {".parquet", {"Parquet"}, "Parquet", true, false},
+    {".kml", {"LIBKML", "KML"}, "LIBKML", true, false},
+    {".gml", {"GML"}, "GML", true, false},
     {".tab", {"MapInfo File"}, nullptr, false, true},
     {".mif", {"MapInfo File"}, nullptr, false, false},
 };
@@ -54,11 +63,31 @@ const Format* format_of(const std::string& path) {
   return found == std::end(known) ? nullptr : found;
 }
 
-bool is_wkt(const std::string& path) { return path == "-" || lower_extension(path) == ".wkt"; }
+bool is_wkt(const std::string& path) { return lower_extension(path) == ".wkt"; }
+bool is_wkb(const std::string& path) { return lower_extension(path) == ".wkb"; }
+bool is_csv(const std::string& path) { return lower_extension(path) == ".csv"; }
 
 bool is_geojson(const std::string& path) {
   const std::string extension = lower_extension(path);
   return extension == ".geojson" || extension == ".json";
+}
+
+void require_driver(const Format& format, const std::string& path) {
+  if (!format.drivers[0]) return;
+  register_gdal_drivers();
+  for (const char* driver : format.drivers) {
+    if (driver && GetGDALDriverManager()->GetDriverByName(driver)) return;
+  }
+  throw IoError(fmt::format("{} cannot be read: this build of GDAL has no driver {}; convert it to .gpkg first", path,
+                            format.drivers[0]));
+}
+
+void require_writer(const Format& format, const std::string& path) {
+  if (!format.writer) return;
+  register_gdal_drivers();
+  if (GetGDALDriverManager()->GetDriverByName(format.writer)) return;
+  throw IoError(fmt::format("cannot write {}: this build of GDAL has no driver {}; write .gpkg or .fgb instead", path,
+                            format.writer));
 }
 
 std::string readable_extensions() {

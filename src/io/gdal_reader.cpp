@@ -13,10 +13,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "io/crs.h"
+#include "io/attribute_data.h"
 #include "io/crs_reader.h"
 #include "io/flatgeobuf_order.h"
 #include "io/formats.h"
+#include "io/gdal_geometry.h"
 #include "io/gdal_source.h"
 #include "io/layer_builder.h"
 #include "io/shapefile_check.h"
@@ -24,62 +25,6 @@
 namespace oblast::io {
 
 namespace {
-
-void add_rings(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<Point>& scratch) {
-  for (const OGRLinearRing* ring : polygon) {
-    scratch.resize(ring->getNumPoints());
-    if (!scratch.empty()) ring->getPoints(&scratch[0].x, sizeof(Point), &scratch[0].y, sizeof(Point));
-    builder.add_ring(scratch);
-  }
-}
-
-void add_polygon(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<Point>& scratch) {
-  builder.begin_polygon();
-  add_rings(polygon, builder, scratch);
-  builder.end_polygon();
-}
-
-[[noreturn]] void refuse_type(const OGRGeometry& geometry, const LayerBuilder& builder) {
-  const std::string type = geometry.getGeometryName();
-  if (OGR_GT_IsNonLinear(geometry.getGeometryType())) {
-    builder.refuse(type + " is a curve type: only straight edges are read; convert it to POLYGON first");
-  }
-  builder.refuse(type + " is not a polygon of the plane");
-}
-
-// The recursion is shallow: GDAL's readers accept collections that are nested a few dozen levels deep at most.
-void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
-  switch (wkbFlatten(geometry.getGeometryType())) {
-    case wkbPolygon:
-      return add_polygon(*geometry.toPolygon(), builder, scratch);
-    case wkbMultiPolygon:
-      for (const OGRPolygon* polygon : geometry.toMultiPolygon()) add_polygon(*polygon, builder, scratch);
-      return;
-    case wkbGeometryCollection:
-      for (const OGRGeometry* member : geometry.toGeometryCollection()) add_geometry(*member, builder, scratch);
-      return;
-    case wkbLineString:
-    case wkbMultiLineString:
-      return builder.line(geometry.getGeometryName());
-    case wkbPoint:
-    case wkbMultiPoint:
-      return builder.point(geometry.getGeometryName());
-    default:
-      refuse_type(geometry, builder);
-  }
-}
-
-// A record of a shapefile: all its rings are one polygon (see above).
-void add_record(const OGRGeometry& geometry, LayerBuilder& builder, std::vector<Point>& scratch) {
-  const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-  if (type != wkbMultiPolygon && type != wkbGeometryCollection) return add_geometry(geometry, builder, scratch);
-  builder.begin_polygon();
-  for (const OGRGeometry* member : *geometry.toGeometryCollection()) {
-    if (wkbFlatten(member->getGeometryType()) != wkbPolygon) refuse_type(*member, builder);
-    add_rings(*member->toPolygon(), builder, scratch);
-  }
-  builder.end_polygon();
-}
 
 void ignore_attributes(OGRLayer& layer, const std::string& except) {
   if (!layer.TestCapability(OLCIgnoreFields)) return;
@@ -108,20 +53,23 @@ void check_count(OGRLayer& source, std::uint64_t features, const std::string& fi
                 std::to_string(features) + " can be read; copy or export the file again");
 }
 
-void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages, const ReadOptions& options,
-                Layer& layer) {
-  LayerBuilder builder(layer, static_cast<std::uint32_t>(layer.files.size() - 1), options);
+bool is_ours(const std::vector<Column>& columns) { return columns.size() == 1 && columns[0].name == "polygon"; }
+
+void read_layer(GdalSource& source, const File& file, const ReadOptions& options, FileTable* table, Layer& layer) {
+  OGRLayer& from = source.layer();
+  GdalMessages& messages = source.messages();
+  LayerBuilder builder(layer, 0, options);
+  builder.set_crs(layer.crs_wkt);
   if (file.shapefile) builder.turn_rings();
-  const std::uint64_t features_before = layer.report.features;
   std::vector<Point> scratch;
   const bool reorder = file.flatgeobuf && options.entries == FeatureEntries::with_polygons && options.where.empty();
-  FlatgeobufOrder order(reorder ? source.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
-  if (options.where.empty()) ignore_attributes(source, file.flatgeobuf ? "polygon" : "");
+  FlatgeobufOrder order(reorder ? from.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
+  if (options.where.empty() && !table) ignore_attributes(from, file.flatgeobuf ? "polygon" : "");
   const auto check = [&](const std::string& place) {
     if (messages.failed()) throw IoError(place + ": cannot be read to the end: " + messages.text(""));
   };
 
-  while (const std::unique_ptr<OGRFeature> feature{source.GetNextFeature()}) {
+  while (std::unique_ptr<OGRFeature> feature{from.GetNextFeature()}) {
     builder.begin_feature(feature->GetFID());
     check(builder.where());
     const OGRGeometry* geometry = feature->GetGeometryRef();
@@ -134,29 +82,35 @@ void read_layer(OGRLayer& source, const File& file, const GdalMessages& messages
     }
     builder.end_feature();
     order.add(*feature);
+    if (!table) continue;
+    feature->SetGeometryDirectly(nullptr);
+    table->rows.push_back(std::move(feature));
   }
-  check(layer.files.back());
-  if (file.flatgeobuf && options.where.empty())
-    check_count(source, layer.report.features - features_before, layer.files.back());
+  check(layer.files.front());
+  if (file.flatgeobuf && options.where.empty()) check_count(from, layer.report.features, layer.files.front());
   order.restore();
+  builder.finish();
 }
 
 }  // namespace
 
-Layer read_with_gdal(const std::string& path, const ReadOptions& options) {
+Layer read_with_gdal(const NamedSource& named, const ReadOptions& options, Attributes attributes, FileTable& table) {
+  const std::string& path = named.source.path;
   const File file{lower_extension(path) == ".shp", lower_extension(path) == ".fgb"};
   if (file.shapefile) check_shapefile(path);
-  GdalSource source(path);
+  GdalSource source(named.source, named.name);
   Layer layer;
-  CommonCrs crs;
-  for (const GdalSource::Entry& entry : source.layers()) {
-    layer.files.push_back(entry.name);
-    crs.add(read_crs(*entry.layer, path), layer.files.back());
-    set_condition(entry, options.where, source.messages());
-    source.messages().clear();  // the file was opened in spite of these messages
-    read_layer(*entry.layer, file, source.messages(), options, layer);
+  layer.files.push_back(named.name);
+  layer.notes = source.notes();
+  layer.crs_wkt = read_crs(source.layer(), path);
+  const OGRFeatureDefn& definition = *source.layer().GetLayerDefn();
+  for (int f = 0; f < definition.GetFieldCount(); ++f) table.columns.push_back(column_of(*definition.GetFieldDefn(f)));
+  source.set_condition(options.where);
+  source.messages().clear();  // the file was opened in spite of these messages
+  read_layer(source, file, options, attributes == Attributes::keep ? &table : nullptr, layer);
+  if (!is_ours(table.columns)) {
+    for (const Column& column : table.columns) layer.columns.push_back(column.name);
   }
-  layer.crs_wkt = crs.wkt();
   return layer;
 }
 

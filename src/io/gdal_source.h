@@ -8,21 +8,24 @@
 #include <vector>
 
 #include "io/gdal_session.h"
+#include "io/source.h"
 
 namespace oblast::io {
 
 class GdalSource {
  public:
-  /// Throws IoError if GDAL cannot open the file.
-  explicit GdalSource(const std::string& path);
+  /// Opens a layer of a file; messages call it `name`. Throws IoError if GDAL cannot open the file, if it has no such
+  /// layer, or if it has several and none is named.
+  GdalSource(const Source& source, const std::string& name);
 
   GdalMessages& messages() { return messages_; }
-  /// The layers that have geometry, and how messages call each: the path, with the layer's name if there are several.
-  struct Entry {
-    OGRLayer* layer;
-    std::string name;
-  };
-  const std::vector<Entry>& layers() const { return layers_; }
+  OGRLayer& layer() { return *layer_; }
+  /// What the file has besides, and what is not read.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// Reads only the features for which a condition on their attributes holds; an empty one is no condition. Throws
+  /// IoError with GDAL's message if the condition is faulty.
+  void set_condition(const std::string& where);
 
  private:
   GdalMessages messages_;
@@ -33,11 +36,9 @@ class GdalSource {
   ThreadOption no_comparing_{"USE_OSR_FIND_MATCHES", "NO"};
   ThreadOption no_size_limit_{"OGR_GEOJSON_MAX_OBJ_SIZE", "0"};
   std::unique_ptr<GDALDataset> dataset_;
-  std::vector<Entry> layers_;
+  std::string name_;
+  OGRLayer* layer_ = nullptr;
+  std::vector<std::string> notes_;
 };
-
-/// Reads only the features for which a condition on their attributes holds; an empty one is no condition. Throws
-/// IoError with GDAL's message if the condition is faulty.
-void set_condition(const GdalSource::Entry& entry, const std::string& where, GdalMessages& messages);
 
 }  // namespace oblast::io

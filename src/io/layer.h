@@ -39,6 +39,9 @@ struct ReadReport {
   std::uint64_t with_m = 0;  ///< features whose M was ignored
   std::uint64_t unclosed_contours = 0;
   std::uint64_t repeated_vertices = 0;
+  std::uint64_t beyond_pole = 0;       ///< vertices with a latitude beyond 90 degrees
+  std::uint64_t across_date_line = 0;  ///< polygons that seem to cross 180 degrees of longitude
+  std::uint64_t swapped = 0;           ///< files whose longitudes and latitudes seem to be swapped
 };
 
 /// One operand. Rings keep the direction that they have in the files, except that the rings of shapefiles are reversed,
@@ -47,9 +50,11 @@ struct Layer {
   RegionSet regions;
   std::vector<FeatureRange> features;
   std::vector<std::string> files;
-  std::string crs_wkt;  ///< coordinate system as WKT; empty if the files name none
+  std::string crs_wkt;  ///< coordinate system as WKT, without heights; empty if the files name none
   ReadReport report;
   std::vector<std::uint32_t> open_contours;  ///< those that the file does not close; only with RingVertices::all
+  std::vector<std::string> columns;  ///< names of the attributes of the features; they are not in the layer
+  std::vector<std::string> notes;    ///< what else the user should know of the reading: one line each, none twice
 };
 
 /// A place in the layer, for messages: "fires/0412.shp, feature 17, part 2, ring 1, vertex 5". Features have the ids of

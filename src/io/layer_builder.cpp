@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "io/crs.h"
+
 namespace oblast::io {
 
 namespace {
@@ -23,6 +25,43 @@ std::string fault_of(double coordinate) {
 }
 
 }  // namespace
+
+void LayerBuilder::set_crs(std::string wkt) {
+  const auto note = [&](std::string text) {
+    if (std::find(layer_.notes.begin(), layer_.notes.end(), text) == layer_.notes.end())
+      layer_.notes.push_back(std::move(text));
+  };
+  if (wkt.empty() && !options_.assume_crs.empty()) {
+    wkt = options_.assume_crs;
+    note(fmt::format("the coordinates of files that name no coordinate system are taken to be in {}", crs_name(wkt)));
+  }
+  scan_.emplace(wkt);
+  if (!options_.target_crs.empty() && wkt.empty())
+    throw IoError(
+        fmt::format("{} names no coordinate system, so it cannot be transformed to {}; say with --assume-crs "
+                    "in which system the coordinates are",
+                    layer_.files[file_], crs_name(options_.target_crs)));
+  layer_.crs_wkt = wkt;
+  if (options_.target_crs.empty() || same_crs(wkt, options_.target_crs)) return;
+  transform_.emplace(wkt, options_.target_crs);
+  layer_.crs_wkt = options_.target_crs;
+  note(fmt::format("transformed from {} to {}; edges stay straight", crs_name(wkt), transform_->target_name()));
+}
+
+void LayerBuilder::finish() {
+  if (scan_) scan_->report_to(layer_.report);
+}
+
+std::span<const Point> LayerBuilder::transformed(std::span<const Point> ring) {
+  moved_.assign(ring.begin(), ring.end());
+  transform_->apply(moved_);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (in_domain(moved_[i].x) && in_domain(moved_[i].y)) continue;
+    throw IoError(fmt::format("{}, part {}, ring {}, vertex {}: ({}, {}) cannot be transformed to {}", where(), part_,
+                              ring_, i, ring[i].x, ring[i].y, transform_->target_name()));
+  }
+  return moved_;
+}
 
 void LayerBuilder::begin_feature(std::int64_t id, std::string extra) {
   feature_ = id;
@@ -41,6 +80,8 @@ void LayerBuilder::add_ring(std::span<const Point> ring) {
   ++ring_;
   if (ring.empty()) return;
   check(ring);
+  if (scan_) scan_->add_ring(ring);
+  if (transform_) ring = transformed(ring);
   auto& points = layer_.regions.points;
   if (points.size() + ring.size() > most_vertices) refuse("more than 2^31 - 1 vertices in one operand");
 
@@ -49,16 +90,16 @@ void LayerBuilder::add_ring(std::span<const Point> ring) {
       ring = ring.first(ring.size() - 1);
     } else {
       ++layer_.report.unclosed_contours;
-      if (vertices_ == RingVertices::all)
+      if (options_.vertices == RingVertices::all)
         layer_.open_contours.push_back(static_cast<std::uint32_t>(layer_.regions.contour_ends.size()));
     }
   }
   const std::size_t begin = points.size();
   points.push_back(ring.front());
   for (const Point& p : ring.subspan(1)) {
-    if (p != points.back() || vertices_ == RingVertices::all) points.push_back(p);
+    if (p != points.back() || options_.vertices == RingVertices::all) points.push_back(p);
   }
-  if (vertices_ == RingVertices::cleaned)
+  if (options_.vertices == RingVertices::cleaned)
     while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
   if (turn_) std::reverse(points.begin() + static_cast<std::ptrdiff_t>(begin) + 1, points.end());
   layer_.report.repeated_vertices += ring.size() - (points.size() - begin);
@@ -66,6 +107,7 @@ void LayerBuilder::add_ring(std::span<const Point> ring) {
 }
 
 void LayerBuilder::end_polygon() {
+  if (scan_) scan_->end_polygon();
   auto& regions = layer_.regions;
   const std::uint32_t before = regions.polygon_ends.empty() ? 0 : regions.polygon_ends.back();
   const auto contours = static_cast<std::uint32_t>(regions.contour_ends.size());
@@ -78,7 +120,8 @@ void LayerBuilder::end_feature() {
   if (has_z_) ++report.with_z;
   if (has_m_) ++report.with_m;
   const bool has_polygons = layer_.regions.polygon_ends.size() > first_polygon_;
-  if (has_polygons || entries_ == FeatureEntries::all) layer_.features.push_back({first_polygon_, file_, feature_});
+  if (has_polygons || options_.entries == FeatureEntries::all)
+    layer_.features.push_back({first_polygon_, file_, feature_});
   if (!has_polygons && !other_seen_) ++report.empty_geometries;
 }
 
@@ -91,7 +134,7 @@ void LayerBuilder::line(const std::string& type) { pass_over(type, layer_.report
 void LayerBuilder::point(const std::string& type) { pass_over(type, layer_.report.points); }
 
 void LayerBuilder::pass_over(const std::string& type, std::uint64_t& count) {
-  if (other_ == OtherGeometry::refuse) refuse("it is a " + type + ", not a polygon");
+  if (options_.other == OtherGeometry::refuse) refuse("it is a " + type + ", not a polygon");
   ++count;
   other_seen_ = true;
 }

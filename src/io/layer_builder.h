@@ -2,21 +2,29 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/coordinate_scan.h"
 #include "io/layer.h"
+#include "io/point_transform.h"
 #include "io/read.h"
 
 namespace oblast::io {
 
-/// Use: begin_feature, then begin_polygon, add_ring..., end_polygon any number of times, end_feature.
+/// Use: set_crs, then for each feature: begin_feature, then begin_polygon, add_ring..., end_polygon any number of
+/// times, end_feature. At the end finish.
 class LayerBuilder {
  public:
   /// `file` is an index into layer.files.
   LayerBuilder(Layer& layer, std::uint32_t file, const ReadOptions& options)
-      : layer_(layer), file_(file), other_(options.other), entries_(options.entries), vertices_(options.vertices) {}
+      : layer_(layer), file_(file), options_(options) {}
+
+  /// The coordinate system of the file as WKT, or an empty text. The options may assume one, and may ask for another
+  /// one: then rings are transformed. Throws IoError.
+  void set_crs(std::string wkt);
 
   /// `extra` is put into messages after the feature ("line 3"), if not empty.
   void begin_feature(std::int64_t id, std::string extra = {});
@@ -26,6 +34,8 @@ class LayerBuilder {
   void add_ring(std::span<const Point> ring);
   void end_polygon();
   void end_feature();
+  /// Adds what was seen of the coordinates to the report.
+  void finish();
 
   /// From now on rings are reversed, and keep their first vertex. For shapefiles, whose outer rings run clockwise.
   void turn_rings() { turn_ = true; }
@@ -42,14 +52,16 @@ class LayerBuilder {
   std::string where() const;
 
  private:
+  std::span<const Point> transformed(std::span<const Point> ring);
   void check(std::span<const Point> ring) const;
   void pass_over(const std::string& type, std::uint64_t& count);
 
   Layer& layer_;
   std::uint32_t file_;
-  OtherGeometry other_;
-  FeatureEntries entries_;
-  RingVertices vertices_;
+  const ReadOptions& options_;
+  std::optional<CoordinateScan> scan_;
+  std::optional<PointTransform> transform_;
+  std::vector<Point> moved_;  // a ring after the transformation
   std::int64_t feature_ = 0;
   std::string extra_;
   std::uint32_t first_polygon_ = 0;  // of the feature

@@ -1,4 +1,4 @@
-// Reads polygons from any vector file that GDAL opens, from WKT, from folders and from standard input.
+// Reads polygons from any vector file that GDAL opens, from WKT and WKB, from folders and from standard input.
 #pragma once
 
 #include <functional>
@@ -30,16 +30,21 @@ struct ReadOptions {
   RingVertices vertices = RingVertices::cleaned;
   /// Only features for which this condition on their attributes holds, as in GDAL's `-where`: "area > 3". Empty: all.
   std::string where = {};
+  std::string layer = {};       ///< the layer of each file for which none is named (FILE:LAYER)
+  std::string output = {};      ///< the file that the call will write: passed over in folders; empty: none
+  std::string assume_crs = {};  ///< WKT: the coordinate system of files that name none; empty: none
+  std::string target_crs = {};  ///< WKT: all coordinates are transformed to this system; empty: they stay as they are
   int threads = 0;  ///< 0: all cores. Files are read in parallel; the order of the polygons does not depend on it
   std::function<void(std::size_t files_done, std::size_t files)> progress;
 };
 
-/// Reads every polygon of every path as one operand. A path is a vector file, a folder (all vector files in it, sorted
-/// by name), a `.wkt` file, or `-` for WKT on standard input. Throws IoError.
+/// Reads every polygon of every path as one operand. A path is as list_sources() in io/source.h takes it; `-` is WKT,
+/// WKB or GeoJSON on standard input. Throws IoError, also for a file with several layers of which none is named.
 Layer read(std::span<const std::string> paths, const ReadOptions& options = {});
 
-/// Reads WKT: any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION of these, usually one per line. Messages call
-/// the text `name`. Throws IoError with the line and the column.
+/// Reads WKT: any number of POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTION of these, usually one per line. "SRID=4326;"
+/// before a geometry names its coordinate system, the same for all. Messages call the text `name`. Throws IoError with
+/// the line and the column.
 Layer read_wkt(const std::string& text, const std::string& name, const ReadOptions& options = {});
 
 }  // namespace oblast::io

@@ -75,18 +75,18 @@ bool same_number(std::int64_t whole, double number) {
   return -exact <= whole && whole <= exact && static_cast<double>(whole) == number;
 }
 
-bool same_value(const OGRFeature& a, const OGRFeature& b, int field) {
-  const bool null_a = !a.IsFieldSetAndNotNull(field), null_b = !b.IsFieldSetAndNotNull(field);
+bool same_value(const OGRFeature& a, int field, const OGRFeature& b, int field_b) {
+  const bool null_a = !a.IsFieldSetAndNotNull(field), null_b = field_b < 0 || !b.IsFieldSetAndNotNull(field_b);
   if (null_a || null_b) return null_a == null_b;
-  const OGRFieldType type_a = a.GetFieldDefnRef(field)->GetType(), type_b = b.GetFieldDefnRef(field)->GetType();
+  const OGRFieldType type_a = a.GetFieldDefnRef(field)->GetType(), type_b = b.GetFieldDefnRef(field_b)->GetType();
   const auto is_whole = [](OGRFieldType type) { return type == OFTInteger || type == OFTInteger64; };
-  if (is_whole(type_a) && is_whole(type_b)) return a.GetFieldAsInteger64(field) == b.GetFieldAsInteger64(field);
+  if (is_whole(type_a) && is_whole(type_b)) return a.GetFieldAsInteger64(field) == b.GetFieldAsInteger64(field_b);
   if (is_whole(type_a) && type_b == OFTReal)
-    return same_number(a.GetFieldAsInteger64(field), b.GetFieldAsDouble(field));
-  if (type_a == OFTReal) return a.GetFieldAsDouble(field) == b.GetFieldAsDouble(field);
+    return same_number(a.GetFieldAsInteger64(field), b.GetFieldAsDouble(field_b));
+  if (type_a == OFTReal) return a.GetFieldAsDouble(field) == b.GetFieldAsDouble(field_b);
   if (type_a == OFTDateTime && type_b == OFTDateTime)
-    return moment(*a.GetRawFieldRef(field)) == moment(*b.GetRawFieldRef(field));
-  return type_a == type_b && field_text(a, field) == field_text(b, field);
+    return moment(*a.GetRawFieldRef(field)) == moment(*b.GetRawFieldRef(field_b));
+  return type_a == type_b && field_text(a, field) == field_text(b, field_b);
 }
 
 }  // namespace
@@ -132,9 +132,13 @@ void RowFields::fill(OGRFeature& feature, std::size_t row) const {
   }
 }
 
+ChangedValues::ChangedValues(const RowFields& fields, const OGRFeatureDefn& read) : changed_(fields.size(), 0) {
+  for (const Column& field : fields.plan().fields) field_read_.push_back(read.GetFieldIndex(field.name.c_str()));
+}
+
 void ChangedValues::compare(const OGRFeature& given, const OGRFeature& read) {
   for (std::size_t i = 0; i < changed_.size(); ++i) {
-    if (!same_value(given, read, static_cast<int>(i))) ++changed_[i];
+    if (!same_value(given, static_cast<int>(i), read, field_read_[i])) ++changed_[i];
   }
 }
 

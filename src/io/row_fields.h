@@ -32,12 +32,14 @@ class RowFields {
 /// Counts, by column, values that a file has in another form than they were given, and says so.
 class ChangedValues {
  public:
-  explicit ChangedValues(std::size_t columns) : changed_(columns, 0) {}
+  /// `read`: the fields of the file, which may have others of its own.
+  ChangedValues(const RowFields& fields, const OGRFeatureDefn& read);
   void compare(const OGRFeature& given, const OGRFeature& read);
   std::vector<std::string> notes(const RowFields& fields) const;
 
  private:
   std::vector<std::uint64_t> changed_;
+  std::vector<int> field_read_;  // by column; -1: the file does not have it
 };
 
 }  // namespace oblast::io

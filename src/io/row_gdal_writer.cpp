@@ -1,13 +1,12 @@
-// Rows as Shapefile, GeoPackage and FlatGeobuf.
+// Rows in the formats that GDAL writes.
 #include <cpl_string.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "io/attribute_data.h"
-#include "io/gdal_output.h"
+#include "io/gdal_output_file.h"
 #include "io/row_fields.h"
 #include "io/row_writers.h"
 
@@ -77,22 +76,18 @@ void create_fields(OGRLayer& layer, const FieldPlan& plan, const Check& check) {
   }
 }
 
-// See write_with_gdal. Attributes are compared as well, where the file keeps the order of the rows.
-void check_complete(const std::string& path, const std::string& driver, const RowOutput& output,
-                    const RowFields& fields, OGRFeatureDefn& given_fields, std::vector<std::string>& notes) {
-  GdalMessages messages;
-  const ThreadOption no_grouping("OGR_ORGANIZE_POLYGONS", "SKIP");
-  const ThreadOption no_comparing("USE_OSR_FIND_MATCHES", "NO");
-  const char* const drivers[] = {driver.c_str(), nullptr};
-  const Check check(messages, output.name);
-  const Dataset dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers));
-  check(dataset && dataset->GetLayerCount() == 1);
-  const bool in_order = driver != "FlatGeobuf";
-  ChangedValues changed(fields.size());
+// See WrittenLayer. Attributes are compared as well, where the file keeps the order of the rows.
+void check_complete(const GdalLayer& what, const RowOutput& output, const RowFields& fields,
+                    OGRFeatureDefn& given_fields, std::vector<std::string>& notes) {
+  WrittenLayer written(what);
+  const bool in_order = what.driver != "FlatGeobuf";
+  ChangedValues changed(fields, *written.layer().GetLayerDefn());
+  ChangedVertices moved(what.driver, output.rows.regions);
   std::size_t row = 0;
   std::uint64_t vertices = 0;
-  while (const std::unique_ptr<OGRFeature> feature{dataset->GetLayer(0)->GetNextFeature()}) {
+  while (const std::unique_ptr<OGRFeature> feature{written.layer().GetNextFeature()}) {
     vertices += vertex_count(feature->GetGeometryRef());
+    moved.add(feature->GetGeometryRef());
     if (in_order && row < output.rows.feature_count()) {
       OGRFeature given(&given_fields);
       fields.fill(given, row);
@@ -100,11 +95,12 @@ void check_complete(const std::string& path, const std::string& driver, const Ro
     }
     ++row;
   }
-  check(true);
+  written.check()(true);
   if (row != output.rows.feature_count() || vertices != output.rows.regions.points.size())
     throw IoError("cannot write " + output.name + ": what was written does not read back whole (is the disk full?)");
   const std::vector<std::string> more = changed.notes(fields);
   notes.insert(notes.end(), more.begin(), more.end());
+  if (!moved.note().empty()) notes.push_back(moved.note());
 }
 
 struct Release {
@@ -113,11 +109,10 @@ struct Release {
 
 }  // namespace
 
-void write_rows_with_gdal(const std::string& path, const char* driver_name, const RowOutput& output,
-                          std::vector<std::string>& notes) {
+void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, std::vector<std::string>& notes) {
   register_gdal_drivers();
-  if (std::string_view(driver_name) == "FlatGeobuf") refuse_empty_rows(output);
-  const FieldPlan plan = plan_fields(output.columns, path);
+  if (what.driver == "FlatGeobuf") refuse_empty_rows(output);
+  const FieldPlan plan = plan_fields(output.columns, what.path);
   const RowFields fields(output.columns, plan);
   notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
   std::unique_ptr<OGRFeatureDefn, Release> given(OGRFeatureDefn::CreateFeatureDefn("given"));
@@ -129,33 +124,14 @@ void write_rows_with_gdal(const std::string& path, const char* driver_name, cons
     given->AddFieldDefn(&defined);
   }
   {
-    GdalMessages messages;
-    const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
-    const ThreadOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-    const ThreadOption no_rewind("SHAPE_REWIND_ON_WRITE", "NO");
-    const Check check(messages, output.name);
-    OGRSpatialReference crs;
-    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    if (!output.crs_wkt.empty()) check(crs.importFromWkt(output.crs_wkt.c_str()) == OGRERR_NONE);
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
-    check(driver != nullptr);
-    Dataset dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    check(dataset != nullptr);
-    const bool shapefile = std::string_view(driver_name) == "ESRI Shapefile";
-    const std::string layer_name = std::filesystem::path(path).stem().string();
-    CPLStringList options = layer_options(driver_name, plan);
-    OGRLayer* layer = dataset->CreateLayer(layer_name.c_str(), output.crs_wkt.empty() ? nullptr : &crs,
-                                           shapefile ? wkbPolygon : wkbMultiPolygon, options.List());
-    check(layer != nullptr);
-    create_fields(*layer, plan, check);
-    const bool transactions = dataset->TestCapability(ODsCTransactions) != 0;
-    if (transactions) check(dataset->StartTransaction() == OGRERR_NONE);
-    write_features(*layer, output, fields, shapefile ? Direction::esri : Direction::as_given, check);
-    if (transactions) check(dataset->CommitTransaction() == OGRERR_NONE);
-    dataset.reset();  // the spatial index and the headers are written here
-    check(true);
+    const bool shapefile = what.driver == "ESRI Shapefile";
+    GdalOutputFile file(what, shapefile ? wkbPolygon : wkbMultiPolygon, layer_options(what.driver, plan));
+    create_fields(file.layer(), plan, file.check());
+    file.begin_features();
+    write_features(file.layer(), output, fields, shapefile ? Direction::esri : Direction::as_given, file.check());
+    file.close();
   }
-  check_complete(path, driver_name, output, fields, *given, notes);
+  check_complete(what, output, fields, *given, notes);
 }
 
 }  // namespace oblast::io

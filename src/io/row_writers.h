@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/gdal_output_file.h"
 #include "io/row_columns.h"
 
 namespace oblast::io {
@@ -18,12 +19,22 @@ struct RowOutput {
 };
 
 /// With GDAL's driver. Then reads the file back, and throws IoError if something is missing.
-void write_rows_with_gdal(const std::string& path, const char* driver, const RowOutput& output,
-                          std::vector<std::string>& notes);
+void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, std::vector<std::string>& notes);
 
 std::string rows_to_geojson(const RowOutput& output, std::vector<std::string>& notes);
 
+/// A table with the column WKT first, and the types of its columns for a .csvt file beside it.
+struct CsvText {
+  std::string table, types;
+};
+CsvText rows_to_csv(const RowOutput& output, std::vector<std::string>& notes);
+
 /// One line of WKT a row.
 std::string rows_to_wkt(const FeatureView& rows);
+/// The WKB of each row, one after the other.
+std::string rows_to_wkb(const FeatureView& rows);
+
+/// The polygons of one row, as a region set of their own.
+RegionSet regions_of(const FeatureView& rows, std::size_t row);
 
 }  // namespace oblast::io

@@ -1,7 +1,7 @@
-// Geometry first, then the attributes; see rows.h.
+// Polygons and attributes, in one pass over each file; see rows.h.
 #include "io/rows.h"
 
-#include "io/paths.h"
+#include "io/read_parts.h"
 
 namespace oblast::io {
 
@@ -14,12 +14,12 @@ std::vector<std::uint32_t> feature_ends(const Layer& layer) {
 }
 
 Rows read_rows(std::span<const std::string> paths, ReadOptions options, std::vector<std::string>& notes) {
-  const std::vector<std::string> files = expand_paths(paths);
   options.entries = FeatureEntries::all;
+  Parts parts = read_parts(paths, options, Attributes::keep);
   Rows rows;
-  rows.layer = read(files, options);
+  rows.table = join_tables(parts, notes);
+  rows.layer = join_layers(parts);
   rows.ends = feature_ends(rows.layer);
-  rows.table = read_attributes(files, options.where, rows.layer, notes);
   return rows;
 }
 

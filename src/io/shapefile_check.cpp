@@ -2,15 +2,17 @@
 // table (dBASE level 5).
 #include "io/shapefile_check.h"
 
+#include <cpl_vsi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 
 #include "io/layer.h"
+#include "io/paths.h"
 
 namespace oblast::io {
 
@@ -35,13 +37,18 @@ std::int32_t little_endian(const Header& header, std::size_t at) {
                                    std::uint32_t{header[at + 1]} << 8 | header[at]);
 }
 
+// Returns how many of the bytes there are.
+std::uint64_t read_head(const std::string& path, Header& header, std::size_t bytes) {
+  const auto close = [](VSILFILE* file) { VSIFCloseL(file); };
+  const std::unique_ptr<VSILFILE, decltype(close)> file(VSIFOpenL(path.c_str(), "rb"), close);
+  if (!file) throw IoError("cannot open " + path);
+  return VSIFReadL(header.data(), 1, bytes, file.get());
+}
+
 // Reads the header of a .shp or .shx and returns it with the length it declares, in bytes.
 std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw IoError("cannot open " + path);
   Header header{};
-  file.read(reinterpret_cast<char*>(header.data()), header.size());
-  const auto got = static_cast<std::uint64_t>(file.gcount());
+  const std::uint64_t got = read_head(path, header, header_bytes);
   if (got < header_bytes)
     throw IoError(
         fmt::format("{} is truncated: it has {} bytes, fewer than the header of a shapefile; copy or export it "
@@ -49,7 +56,7 @@ std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
                     path, got));
   if (big_endian(header, 0) != file_code) throw IoError(path + " is not a shapefile: its header has another file code");
   const std::uint64_t declared = 2 * std::uint64_t{big_endian(header, 24)};  // given in 16-bit words
-  const std::uint64_t size = fs::file_size(path);
+  const std::uint64_t size = size_of_file(path);
   if (size < declared) {
     throw IoError(
         fmt::format("{} is truncated: its header declares {} bytes, but the file has {}; copy or export it again", path,
@@ -62,15 +69,13 @@ std::pair<Header, std::uint64_t> checked_header(const std::string& path) {
 // others or was cut off, and it is unknown which shapes are right.
 void check_table(const std::string& path, const std::string& index, std::uint64_t shapes) {
   constexpr std::size_t table_header_bytes = 32;
-  std::ifstream file(path, std::ios::binary);
   Header header{};
-  file.read(reinterpret_cast<char*>(header.data()), table_header_bytes);
-  if (file.gcount() < static_cast<std::streamsize>(table_header_bytes))
+  if (read_head(path, header, table_header_bytes) < table_header_bytes)
     throw IoError(path + " is truncated: it has fewer bytes than the header of a table; copy or export it again");
   const auto records = static_cast<std::uint32_t>(little_endian(header, 4));
   const auto lengths = static_cast<std::uint32_t>(little_endian(header, 8));  // two 16-bit numbers
   const std::uint64_t declared = (lengths & 0xffff) + std::uint64_t{records} * (lengths >> 16);
-  const std::uint64_t size = fs::file_size(path);
+  const std::uint64_t size = size_of_file(path);
   if (size < declared) {
     throw IoError(
         fmt::format("{} is truncated: its header declares {} bytes, but the file has {}; copy or export it again", path,
@@ -91,8 +96,7 @@ std::string find_sibling(const std::string& path, const std::string& extension) 
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   for (const std::string& candidate : {extension, upper}) {
     const std::string sibling = fs::path(path).replace_extension(candidate).string();
-    std::error_code error;
-    if (fs::exists(sibling, error)) return sibling;
+    if (path_exists(sibling)) return sibling;
   }
   return {};
 }

@@ -1,7 +1,7 @@
 // Reads Well-Known Text (OGC 06-103r4, section 7) in one pass over the characters.
 //
-// Accepted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" (ignored: text has no coordinate system
-// here), semicolons after a geometry, and lower case.
+// Accepted beyond the standard: rings that are not closed, EWKT's "SRID=4326;" and its vertices of three or four
+// numbers without Z and M after the type, semicolons after a geometry, and lower case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "io/layer_builder.h"
 #include "io/read.h"
+#include "io/srid.h"
 
 namespace oblast::io {
 
@@ -23,19 +24,24 @@ class WktParser {
         end_(begin_ + text.size()),
         line_start_(begin_),
         name_(name),
+        srid_(name),
         builder_(layer, 0, options) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (text.starts_with(byte_order_mark)) at_ += byte_order_mark.size();
   }
 
   void parse() {
-    for (std::int64_t feature = 0; skip_separators(); ++feature) {
+    std::int64_t feature = 0;
+    for (; skip_separators(); ++feature) {
       line_ += static_cast<std::size_t>(std::count(line_start_, at_, '\n'));
       line_start_ = at_;
+      if (srid_.add(read_srid(), fmt::format("line {}", line_))) builder_.set_crs(srid_.wkt());
       builder_.begin_feature(feature, fmt::format("line {}", line_));
       geometry();
       builder_.end_feature();
     }
+    if (feature == 0) builder_.set_crs({});
+    builder_.finish();
   }
 
  private:
@@ -50,6 +56,7 @@ class WktParser {
     std::size_t depth = 0;
     for (;;) {
       const Type type = read_type();
+      numbers_ = type.z || type.m ? 2 + type.z + type.m : 0;
       if (type.z) builder_.with_z();
       if (type.m) builder_.with_m();
       if (type.name == "GEOMETRYCOLLECTION") {
@@ -117,15 +124,29 @@ class WktParser {
       const double x = number();
       const double y = number();
       ring_.push_back({x, y});
-      int more = 0;
-      for (; !next_is(',') && !next_is(')'); ++more) {
-        if (more == 2) fail("a vertex has more than four numbers");
-        number();
-      }
+      const int more = further_numbers();
       if (more == 2 || (more == 1 && !type.m)) builder_.with_z();
       if (more == 2 || (more == 1 && type.m)) builder_.with_m();
     } while (accept(','));
     expect(')');
+  }
+
+  // All vertices of a geometry have as many numbers as its type says, or else as its first vertex has. A vertex with
+  // more lacks a comma, most likely.
+  int further_numbers() {
+    constexpr int most = 4;
+    constexpr const char* words[] = {"none", "one", "two", "three", "four"};
+    const int allowed = numbers_ > 0 ? numbers_ : most;
+    int numbers = 2;
+    for (; !next_is(',') && !next_is(')') && at_ != end_; ++numbers) {
+      if (numbers == allowed)
+        fail(fmt::format("a vertex has more than {} numbers; is a comma missing before this one?", words[allowed]));
+      number();
+    }
+    if (numbers < numbers_)
+      fail(fmt::format("a vertex has {} numbers; {} were expected", words[numbers], words[numbers_]));
+    numbers_ = numbers;
+    return numbers - 2;
   }
 
   double number() {
@@ -205,14 +226,26 @@ class WktParser {
     for (;;) {
       skip_space();
       if (at_ == end_) return false;
-      if (*at_ == ';') {
-        ++at_;
-      } else if (end_ - at_ > 5 && std::string_view(at_, 5) == "SRID=") {
-        at_ = std::find(at_, end_, ';');
-      } else {
-        return true;
-      }
+      if (*at_ != ';') return true;
+      ++at_;
     }
+  }
+
+  // The number in EWKT's "SRID=4326;", or 0.
+  unsigned read_srid() {
+    const char* const back = at_;
+    if (word() != "SRID") {
+      at_ = back;
+      return 0;
+    }
+    expect('=');
+    skip_space();
+    unsigned srid = 0;
+    const auto [after, error] = std::from_chars(at_, end_, srid);
+    if (error != std::errc()) fail("expected a number after SRID=");
+    at_ = after;
+    expect(';');
+    return srid;
   }
 
   static bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
@@ -251,7 +284,9 @@ class WktParser {
   const char* line_start_;
   const char* type_start_ = nullptr;
   std::size_t line_ = 1;
+  int numbers_ = 0;  // of each vertex of the geometry; 0: not known yet
   const std::string& name_;
+  CommonSrid srid_;
   LayerBuilder builder_;
   std::vector<Point> ring_;
 };

@@ -1,6 +1,8 @@
 // Checks the call, writes to the stage, and renames.
 #include "io/write.h"
 
+#include <fmt/format.h>
+#include <oblast/wkb.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,10 +10,13 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/crs.h"
 #include "io/formats.h"
 #include "io/gdal_writer.h"
 #include "io/geojson_writer.h"
+#include "io/paths.h"
 #include "io/staged_output.h"
+#include "io/write_rows.h"
 #include "io/write_text.h"
 
 namespace oblast::io {
@@ -38,6 +43,8 @@ OutputFiles files_of(const std::string& path) {
   // A journal of an older database would be applied to the new one.
   if (extension == ".gpkg") return {{""}, {"-journal", "-wal", "-shm"}, {"-journal", "-wal", "-shm"}};
   if (extension == ".fgb") return {{""}, {"_temp.fgb"}, {}};
+  if (extension == ".csv") return {{".csvt", ""}, {}, {}};
+  if (extension == ".gml") return {{".xsd", ""}, {".gfs"}, {".gfs"}};
   return {};
 }
 
@@ -53,26 +60,66 @@ void refuse_existing(const std::string& path) {
   }
 }
 
-}  // namespace
-
-// A shapefile's .shp names the whole set.
-std::string target_of(const std::string& path) {
-  return lower_extension(path) == ".shp" ? fs::path(path).replace_extension(".shp").string() : path;
+// A GeoPackage is changed, not replaced, if it has more than the layer that is written.
+bool is_changed(const OutputTarget& target, const ExistingGeopackage& existing) {
+  return existing.readable && (!existing.others.empty() || (!target.layer.empty() && !existing.has_layer));
 }
 
-void write_staged(const std::string& target, Existing existing,
+void check_geopackage(const OutputTarget& target, const WriteOptions& options) {
+  std::error_code error;
+  if (!fs::exists(target.path, error)) return;
+  const ExistingGeopackage existing = existing_geopackage(target);
+  if (target.layer.empty()) {
+    if (options.existing == Existing::refuse) refuse_existing(target.path);
+    return;
+  }
+  if (!existing.readable) throw IoError(target.path + " is no GeoPackage that can be read, so no layer can be added");
+  if (existing.has_layer && options.existing == Existing::refuse)
+    throw IoError(fmt::format("{} has a layer {} already (--overwrite replaces it)", target.path, target.layer));
+}
+
+// To see whether another program changed a file in the meantime.
+std::pair<std::uintmax_t, fs::file_time_type> state_of(const std::string& path) {
+  std::error_code error;
+  return {fs::file_size(path, error), fs::last_write_time(path, error)};
+}
+
+}  // namespace
+
+void write_staged(const OutputTarget& target, const WriteOptions& options,
                   const std::function<void(const std::string& path)>& write_to) {
-  StagedOutput stage(target, files_of(target));
+  StagedOutput stage(target.path, files_of(target.path));
+  const ExistingGeopackage existing = existing_geopackage(target);
+  const bool changed = is_changed(target, existing);
+  const auto state = state_of(target.path);
+  if (changed) copy_geopackage(target, stage.path());
   write_to(stage.path());
-  // Another program may have made a file of this name in the meantime.
-  if (existing == Existing::refuse) refuse_existing(target);
+  if (changed) {
+    if (state != state_of(target.path))
+      throw IoError(target.path + " was changed by another program in the meantime; run the command again");
+    if (options.notes && target.layer.empty())
+      options.notes->push_back(fmt::format("{} keeps what it had besides the layer {}: {}", target.path,
+                                           target.layer_name(), name_list(existing.others)));
+  } else if (options.existing == Existing::refuse) {
+    refuse_existing(target.path);  // another program may have made a file of this name in the meantime
+  }
   stage.commit();
+}
+
+void check_crs_of_format(const std::string& path, const std::string& crs_wkt) {
+  if (is_geojson(path)) geojson_crs_code(crs_wkt);
+  if (lower_extension(path) == ".kml" && !same_crs(crs_wkt, crs_from_text("EPSG:4326")))
+    throw IoError(
+        fmt::format("cannot write {}: KML is always in WGS 84 (EPSG:4326), but the result is in {}; add "
+                    "--t_srs EPSG:4326, or write .gpkg",
+                    path, crs_name(crs_wkt)));
 }
 
 void check_writable(const std::string& path_given, const WriteOptions& options) {
   if (path_given == "-") return;
-  writable_format(path_given);
-  const std::string path = target_of(path_given);
+  const OutputTarget target = output_target(path_given);
+  const std::string& path = target.path;
+  require_writer(writable_format(path), path);
   const fs::path parent = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::exists(parent, error))
@@ -80,27 +127,56 @@ void check_writable(const std::string& path_given, const WriteOptions& options) 
   if (!fs::is_directory(parent, error))
     throw IoError("cannot write " + path + ": " + parent.string() + " is not a folder");
   if (fs::is_directory(path, error)) throw IoError("cannot write " + path + ": it is a folder");
-  if (options.existing == Existing::refuse) refuse_existing(path);
+  if (target.is_geopackage()) {
+    check_geopackage(target, options);
+  } else if (options.existing == Existing::refuse) {
+    refuse_existing(path);
+  }
   if (::access(parent.c_str(), W_OK | X_OK) != 0) {
     throw IoError("cannot write into " + parent.string() + ": " + std::strerror(errno));
   }
-  if (is_geojson(path)) geojson_crs_code(options.crs_wkt);
+  check_crs_of_format(path, options.crs_wkt);
 }
+
+namespace {
+
+std::string to_text(const RegionView& regions, TextFormat format, const WriteOptions& options) {
+  if (format == TextFormat::geojson)
+    return to_geojson(regions, geojson_crs_code(options.crs_wkt), options.polygon_numbers);
+  if (format == TextFormat::wkt) return to_wkt(regions) + "\n";
+  const std::vector<std::byte> bytes = to_wkb(regions);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// CSV is a table: each polygon is a row.
+void write_as_rows(const std::string& path, const RegionView& regions, const WriteOptions& options) {
+  std::vector<std::uint32_t> ends(regions.polygon_count());
+  OutputColumn number{.column = {"polygon", ColumnType::integer}};
+  for (std::size_t p = 0; p < ends.size(); ++p) {
+    ends[p] = static_cast<std::uint32_t>(p + 1);
+    number.values.emplace_back(options.polygon_numbers.empty() ? static_cast<std::int64_t>(p)
+                                                               : std::int64_t{options.polygon_numbers[p]});
+  }
+  std::vector<std::string> notes;
+  write_rows(path, {regions, ends}, std::span(&number, 1), options, options.notes ? *options.notes : notes);
+}
+
+}  // namespace
 
 void write(const std::string& path_given, const RegionView& regions, const WriteOptions& options) {
   check_writable(path_given, options);
-  if (path_given == "-") {
-    write_text_to_standard_output(to_wkt(regions) + "\n");
-    return;
-  }
-  const std::string path = target_of(path_given);
-  write_staged(path, options.existing, [&](const std::string& stage) {
-    if (const char* driver = writable_format(path).writer) {
-      write_with_gdal(stage, driver, regions, options.crs_wkt, path, options.polygon_numbers);
-    } else if (is_geojson(path)) {
-      write_text(stage, to_geojson(regions, geojson_crs_code(options.crs_wkt), options.polygon_numbers), path);
+  if (path_given == "-") return write_text_to_standard_output(to_text(regions, options.standard_output, options));
+  if (is_csv(path_given)) return write_as_rows(path_given, regions, options);
+  const OutputTarget target = output_target(path_given);
+  write_staged(target, options, [&](const std::string& stage) {
+    if (const char* driver = writable_format(target.path).writer) {
+      write_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, regions,
+                      options.polygon_numbers, options.notes);
     } else {
-      write_text(stage, to_wkt(regions) + "\n", path);
+      const TextFormat format = is_geojson(target.path) ? TextFormat::geojson
+                                : is_wkb(target.path)   ? TextFormat::wkb
+                                                        : TextFormat::wkt;
+      write_text(stage, to_text(regions, format, options), target.path);
     }
   });
 }

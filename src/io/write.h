@@ -9,33 +9,40 @@
 #include <string>
 
 #include "io/layer.h"
+#include "io/output_target.h"
 
 namespace oblast::io {
 
 enum class Existing { refuse, overwrite };
+/// Of standard output; the extension of a file decides its format.
+enum class TextFormat { wkt, wkb, geojson };
 
 struct WriteOptions {
   Existing existing = Existing::refuse;
   std::string crs_wkt;  ///< written into the file if its format can store one
   /// The attribute `polygon` of each feature, by polygon (WKT has none); empty: 0, 1, 2, ...
   std::span<const std::int32_t> polygon_numbers = {};
+  TextFormat standard_output = TextFormat::wkt;
+  std::vector<std::string>* notes = nullptr;  ///< gets a line for each thing that the user should know of the file
 };
 
 /// Throws IoError if `path` cannot be written: unknown format, missing folder, existing file. Call it before the
 /// computation, to report the error early.
 void check_writable(const std::string& path, const WriteOptions& options = {});
 
-/// Writes one feature per polygon. The extension decides the format (.shp .gpkg .geojson .fgb .wkt; `-` is WKT on
-/// standard output). Coordinates keep their bits; text formats have the fewest digits that read back to the same bits.
-/// Throws IoError; then an older file at `path` is unchanged.
+/// Writes one feature per polygon. The extension decides the format; `-` is standard output. `FILE.gpkg:LAYER` adds a
+/// layer to a GeoPackage; other layers of an existing GeoPackage are always kept. Coordinates keep their bits, except
+/// in .kml and .gml; text formats have the fewest digits that read back to the same bits. The bytes depend on the
+/// arguments only. Throws IoError; then an older file at `path` is unchanged.
 void write(const std::string& path, const RegionView& regions, const WriteOptions& options = {});
 
-/// The name under which a result is written: GDAL gives the files of a shapefile lower-case extensions.
-std::string target_of(const std::string& path);
-
-/// Writes to a temporary name, and renames. `write_to` gets the temporary path.
-void write_staged(const std::string& target, Existing existing,
+/// Writes to a temporary name, and renames. `write_to` gets the temporary path. There is a file at that path if a layer
+/// is to be added to it. Throws IoError.
+void write_staged(const OutputTarget& target, const WriteOptions& options,
                   const std::function<void(const std::string& path)>& write_to);
+
+/// Throws IoError if a format that knows one coordinate system only is to be written in another.
+void check_crs_of_format(const std::string& path, const std::string& crs_wkt);
 
 /// Call this first when a signal is to end the program. True: no output replaces an older one any more. False: one does
 /// so now or has done so, and the program must go on to its end or to expect_more_output(). Safe in a signal handler.

@@ -2,6 +2,9 @@
 #include "io/write_rows.h"
 
 #include <fmt/format.h>
+#include <oblast/wkb.h>
+
+#include <filesystem>
 
 #include "io/formats.h"
 #include "io/row_writers.h"
@@ -9,9 +12,6 @@
 
 namespace oblast::io {
 
-namespace {
-
-// The polygons of one row, as a region set of their own.
 RegionSet regions_of(const FeatureView& rows, std::size_t row) {
   RegionSet regions;
   for (std::size_t p = rows.feature_begin(row); p < rows.feature_end(row); ++p) {
@@ -25,30 +25,58 @@ RegionSet regions_of(const FeatureView& rows, std::size_t row) {
   return regions;
 }
 
-}  // namespace
-
 std::string rows_to_wkt(const FeatureView& rows) {
   std::string text;
   for (std::size_t row = 0; row < rows.feature_count(); ++row) text += to_wkt(regions_of(rows, row)) + "\n";
   return text;
 }
 
+std::string rows_to_wkb(const FeatureView& rows) {
+  std::string text;
+  for (std::size_t row = 0; row < rows.feature_count(); ++row) {
+    const std::vector<std::byte> bytes = to_wkb(regions_of(rows, row));
+    text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  }
+  return text;
+}
+
+namespace {
+
+std::string to_text(const RowOutput& output, TextFormat format, std::vector<std::string>& notes) {
+  if (format == TextFormat::geojson) return rows_to_geojson(output, notes);
+  const bool wkt = format == TextFormat::wkt;
+  if (!output.columns.empty())
+    notes.push_back(fmt::format("{} has no attributes; {} {} left out", wkt ? "WKT" : "WKB", output.columns.size(),
+                                output.columns.size() == 1 ? "column is" : "columns are"));
+  return wkt ? rows_to_wkt(output.rows) : rows_to_wkb(output.rows);
+}
+
+void write_csv(const std::string& stage, const RowOutput& output, std::vector<std::string>& notes) {
+  const CsvText csv = rows_to_csv(output, notes);
+  write_text(std::filesystem::path(stage).replace_extension(".csvt").string(), csv.types, output.name);
+  write_text(stage, csv.table, output.name);
+}
+
+}  // namespace
+
 void write_rows(const std::string& path_given, const FeatureView& rows, std::span<const OutputColumn> columns,
-                const WriteOptions& options, std::vector<std::string>& notes) {
-  check_writable(path_given, options);
-  if (is_wkt(path_given) && !columns.empty())
-    notes.push_back(fmt::format("WKT has no attributes; {} {} left out", columns.size(),
-                                columns.size() == 1 ? "column is" : "columns are"));
-  if (path_given == "-") return write_text_to_standard_output(rows_to_wkt(rows));
-  const std::string path = target_of(path_given);
-  const RowOutput output{rows, columns, options.crs_wkt, path};
-  write_staged(path, options.existing, [&](const std::string& stage) {
-    if (const char* driver = format_of(path)->writer) {
-      write_rows_with_gdal(stage, driver, output, notes);
-    } else if (is_geojson(path)) {
-      write_text(stage, rows_to_geojson(output, notes), path);
+                const WriteOptions& options_given, std::vector<std::string>& notes) {
+  check_writable(path_given, options_given);
+  const OutputTarget target = output_target(path_given);
+  WriteOptions options = options_given;
+  options.notes = &notes;
+  const RowOutput output{rows, columns, options.crs_wkt, target.path};
+  if (path_given == "-") return write_text_to_standard_output(to_text(output, options.standard_output, notes));
+  write_staged(target, options, [&](const std::string& stage) {
+    if (const char* driver = format_of(target.path)->writer) {
+      write_rows_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, output, notes);
+    } else if (is_csv(target.path)) {
+      write_csv(stage, output, notes);
     } else {
-      write_text(stage, rows_to_wkt(rows), path);
+      const TextFormat format = is_geojson(target.path) ? TextFormat::geojson
+                                : is_wkb(target.path)   ? TextFormat::wkb
+                                                        : TextFormat::wkt;
+      write_text(stage, to_text(output, format, notes), target.path);
     }
   });
 }

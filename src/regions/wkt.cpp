@@ -129,6 +129,8 @@ class WktReader {
     int numbers = 2;
     for (; numbers < most_numbers_ && begins_number(); ++numbers) (void)number();
     if (numbers < least_numbers_) fail("expected " + std::to_string(least_numbers_) + " numbers per point");
+    // All points of a geometry have as many numbers as the first: one with more lacks a comma, most likely.
+    least_numbers_ = most_numbers_ = numbers;
     collector_.add({x, y});
   }
 

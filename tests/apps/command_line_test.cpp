@@ -69,7 +69,9 @@ TEST(CommandLine, FaultsOfTheCallAreExitCodeTwoAndNameTheHelp) {
 
 TEST(CommandLine, ContradictionsAreExitCodeTwo) {
   EXPECT_EQ(oblast_program({"overlay", "union", "-", "-", "-o", "-"}, two_squares).code, 2);
-  EXPECT_EQ(oblast_program({"union", "-", "-o", "-", "--json"}, two_squares).code, 2);
+  const ProgramRun format = oblast_program({"union", "-", "-o", "out.gpkg", "--format", "wkb"}, two_squares);
+  EXPECT_EQ(format.code, 2);
+  EXPECT_TRUE(contains(format.err, "--format is for `-o -`")) << format.err;
 }
 
 TEST(Memory, SizesAreReadInTheirUnits) {

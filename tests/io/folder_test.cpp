@@ -77,18 +77,41 @@ TEST_F(Folder, TheFirstFaultyFileByNameIsReported) {
 }
 
 TEST_F(Folder, TwoCoordinateSystemsNameBothFiles) {
-  write(path("a.shp"), one_triangle());
   write(path("b.shp"), one_triangle(), with_crs(4326));
   write(path("c.gpkg"), one_triangle(), with_crs(3035));
   EXPECT_TRUE(
       mentions(read_error(folder_.string()), {"two coordinate systems", "b.shp", "EPSG:4326", "c.gpkg", "EPSG:3035"}));
 }
 
-TEST_F(Folder, FilesWithoutACoordinateSystemGoWithTheOthers) {
+TEST_F(Folder, FilesWithoutACoordinateSystemNeedAnAssumption) {
   write(path("a.shp"), one_triangle());
   write(path("b.shp"), one_triangle(), with_crs(32633));
   write(path("c.wkt"), one_triangle());
-  EXPECT_TRUE(mentions(crs_name(read_file(folder_.string()).crs_wkt), {"EPSG:32633"}));
+  EXPECT_TRUE(mentions(read_error(folder_.string()), {"a.shp", "b.shp", "EPSG:32633", "--assume-crs"}));
+  ReadOptions options;
+  options.assume_crs = crs_from_text("EPSG:32633");
+  const Layer layer = read_file(folder_.string(), options);
+  EXPECT_TRUE(mentions(crs_name(layer.crs_wkt), {"EPSG:32633"}));
+  ASSERT_EQ(layer.notes.size(), 1U);
+  EXPECT_TRUE(mentions(layer.notes.front(), {"taken to be in", "EPSG:32633"}));
+}
+
+TEST_F(Folder, WhatIsPassedOverIsSaid) {
+  write(path("a.shp"), one_triangle());
+  fs::create_directory(path("older"));
+  fs::create_directory(path("oldest"));
+  file("readme.txt", "not data");
+  file("table.csv", "name,people\nx,3\n");
+  const std::string output = path("result.gpkg");
+  write(output, one_triangle());
+  ReadOptions options;
+  options.output = output;
+  const Layer layer = read_file(folder_.string(), options);
+  EXPECT_EQ(layer.files, std::vector<std::string>{path("a.shp")});
+  ASSERT_EQ(layer.notes.size(), 3U);
+  EXPECT_TRUE(mentions(layer.notes[0], {"result.gpkg", "output"}));
+  EXPECT_TRUE(mentions(layer.notes[1], {"2 files", "readme.txt and table.csv"}));
+  EXPECT_TRUE(mentions(layer.notes[2], {"2 subfolders", "older and oldest"}));
 }
 
 TEST_F(Folder, TheSameSystemInEveryFormatIsOne) {
@@ -112,10 +135,14 @@ TEST_F(Folder, SeveralLayersOfOneFile) {
        fmt::format("<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>"
                    "<Folder><name>first</name>{}</Folder><Folder><name>second</name>{}</Folder></Document></kml>",
                    placemark("1"), placemark("2")));
-  const Layer layer = read_file(path("a.kml"));
-  EXPECT_EQ(layer.regions.points, (std::vector<Point>{{1, 0}, {1, 1}, {15, 1}, {2, 0}, {2, 1}, {25, 1}}));
-  ASSERT_EQ(layer.files.size(), 2U);
-  EXPECT_TRUE(mentions(layer.files[1], {"a.kml", "second"}));
+  EXPECT_TRUE(mentions(read_error(path("a.kml")), {"a.kml has 2 layers: first", "second", "a.kml:first", "--layer"}));
+  EXPECT_TRUE(mentions(read_error(path("a.kml:third")), {"no layer third", "first", "second"}));
+  const Layer layer = read_file(path("a.kml:second"));
+  EXPECT_EQ(layer.regions.points, (std::vector<Point>{{2, 0}, {2, 1}, {25, 1}}));
+  EXPECT_EQ(layer.files, std::vector<std::string>{path("a.kml:second")});
+  ReadOptions options;
+  options.layer = "first";
+  EXPECT_EQ(read_file(path("a.kml"), options).regions.points, (std::vector<Point>{{1, 0}, {1, 1}, {15, 1}}));
 }
 
 TEST(SameCrs, AxisOrderAndMissingOnesDoNotMatter) {
@@ -132,6 +159,9 @@ TEST(SameCrs, AxisOrderAndMissingOnesDoNotMatter) {
   EXPECT_TRUE(same_crs("", wgs84));
   EXPECT_TRUE(same_crs(wgs84, ""));
   EXPECT_TRUE(same_crs("", ""));
+  EXPECT_TRUE(same_crs(wgs84, crs_from_text("EPSG:4979")));      // with height
+  EXPECT_TRUE(same_crs(crs_from_text("EPSG:3035+5621"), etrs));  // with height above the sea
+  EXPECT_EQ(crs_name(crs_from_text("EPSG:4979")), "WGS 84 (EPSG:4326)");
   EXPECT_FALSE(same_crs(wgs84, etrs));
   EXPECT_FALSE(same_crs(wgs84, crs_wkt(folder, 4284)));  // Pulkovo 1942: degrees too, another datum
   EXPECT_FALSE(same_crs(crs_wkt(folder, 32633), crs_wkt(folder, 32634)));

@@ -1,6 +1,7 @@
 // Well-Known Text: what is accepted, counted and refused, and the place in the message.
 #include <string>
 
+#include "io/crs.h"
 #include "io_support.h"
 
 namespace oblast::io {
@@ -33,12 +34,31 @@ TEST(Wkt, MultipolygonsCollectionsAndSeveralLines) {
       wkt("multipolygon(((0 0,1 0,1 1)),((5 5,6 5,6 6,5 5)))\n"
           "GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1, 0 0)), GEOMETRYCOLLECTION (POLYGON ((2 2, 3 2, 2 3, 2 2)), "
           "MULTIPOLYGON EMPTY))\r\n"
-          "SRID=4326;POLYGON ((9 9, 10 9, 9 10, 9 9));");
+          "POLYGON ((9 9, 10 9, 9 10, 9 9));");
   EXPECT_EQ(layer.regions.polygon_ends.size(), 5U);
   ASSERT_EQ(layer.features.size(), 3U);
   EXPECT_EQ(layer.features[1].first_polygon, 2U);
   EXPECT_EQ(layer.features[2].feature, 2);
   EXPECT_EQ(layer.report.unclosed_contours, 1U);
+}
+
+TEST(Wkt, SridsNameTheCoordinateSystem) {
+  const std::string triangle = "POLYGON ((9 9, 10 9, 9 10, 9 9));\n", there = "SRID=3035;" + triangle;
+  EXPECT_TRUE(mentions(crs_name(wkt(there + there).crs_wkt), {"EPSG:3035"}));
+  EXPECT_EQ(wkt("SRID=0;" + triangle + triangle).crs_wkt, "");
+  EXPECT_TRUE(mentions(wkt_error(there + triangle), {"line 2", "no SRID", "SRID=3035"}));
+  EXPECT_TRUE(mentions(wkt_error(there + "srid = 4326;" + triangle), {"line 2", "SRID=4326", "SRID=3035"}));
+  EXPECT_TRUE(mentions(wkt_error("SRID=999999;" + triangle), {"line 1", "SRID=999999", "PROJ"}));
+  EXPECT_TRUE(mentions(wkt_error("SRID=x;" + triangle), {"column 6", "number"}));
+}
+
+TEST(Wkt, AMissingCommaIsAnError) {
+  EXPECT_TRUE(mentions(wkt_error("POLYGON ((0 0, 4 0, 4 4 0 4, 0 0))"), {"line 1, column 25", "comma"}));
+  EXPECT_TRUE(mentions(wkt_error("POLYGON ((0 0, 4 0, 4 4, 0 4 9, 0 0))"), {"column 30", "comma"}));
+  EXPECT_TRUE(mentions(wkt_error("POLYGON Z ((0 0 1, 4 0 1, 4 4, 0 0 1))"), {"two numbers", "three"}));
+  EXPECT_TRUE(mentions(wkt_error("POLYGON ((0 0 1, 4 0 1, 4 4, 0 0 1))"), {"two numbers", "three"}));
+  // As PostGIS writes Z and M.
+  EXPECT_EQ(wkt("POLYGON ((0 0 1 2, 4 0 1 2, 4 4 1 2, 0 0 1 2))").report.with_m, 1U);
 }
 
 TEST(Wkt, EmptyGeometriesAreCounted) {
@@ -51,6 +71,9 @@ TEST(Wkt, EmptyGeometriesAreCounted) {
 TEST(Wkt, NoTextIsNoGeometry) {
   EXPECT_EQ(wkt("").report.features, 0U);
   EXPECT_EQ(wkt(" \n\t\r\n").report.features, 0U);
+  ReadOptions options;
+  options.assume_crs = crs_from_text("EPSG:3035");
+  EXPECT_TRUE(same_crs(read_wkt("", "in.wkt", options).crs_wkt, options.assume_crs));
 }
 
 TEST(Wkt, HeightsAndMeasuresAreDroppedAndCounted) {

@@ -89,6 +89,8 @@ TEST(Wkt, refusesTheRestWithItsPlace) {
       {"POLYGON (())", 10},
       {"POLYGON ((0))", 11},
       {"POLYGON ((0 0 1 2 3))", 18},
+      {"POLYGON ((0 0, 4 0, 4 4 0 4))", 24},  // a comma is missing
+      {"POLYGON ((0 0 1, 4 0 1, 4 4))", 27},
       {"POLYGON Z ((0 0, 1 1, 2 2))", 15},
       {"POLYGON ZM ((0 0 1, 1 1, 2 2))", 18},
       {"POLYGON ((0 0, 1 x))", 17},

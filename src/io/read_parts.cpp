@@ -1,0 +1,96 @@
+// Reads any number of files in parallel; see read_parts.h.
+#include "io/read_parts.h"
+
+#include <ogr_feature.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+
+#include "io/crs.h"
+#include "io/formats.h"
+#include "io/gdal_reader.h"
+#include "io/paths.h"
+#include "io/standard_input.h"
+#include "io/wkb_reader.h"
+
+namespace oblast::io {
+
+FileTable::FileTable() = default;
+FileTable::~FileTable() = default;
+FileTable::FileTable(FileTable&&) noexcept = default;
+FileTable& FileTable::operator=(FileTable&&) noexcept = default;
+
+namespace {
+
+void refuse_what_text_has_not(const Source& source, const char* format, const ReadOptions& options) {
+  if (!options.where.empty())
+    throw IoError(source.name() + " is " + format + ", which has no attributes for a condition");
+  if (!source.layer.empty()) throw IoError(source.path + " is " + format + ", which has no layers; leave out the name");
+}
+
+FilePart read_one(const Source& source, const ReadOptions& options, Attributes attributes) {
+  FilePart part;
+  const bool piped = source.path == "-";
+  if (!piped && !is_wkt(source.path) && !is_wkb(source.path)) {
+    part.layer = read_with_gdal({source, source.name()}, options, attributes, part.table);
+    return part;
+  }
+  std::string text = read_text(source.path);
+  const ContentKind kind = piped ? kind_of_content(text) : is_wkb(source.path) ? ContentKind::wkb : ContentKind::wkt;
+  if (kind == ContentKind::json) {
+    const MemoryFile file(std::move(text), "standard_input.json");
+    part.layer = read_with_gdal({{file.path(), {}}, source.name()}, options, attributes, part.table);
+    return part;
+  }
+  refuse_what_text_has_not(source, kind == ContentKind::wkb ? "WKB" : "WKT", options);
+  part.layer =
+      kind == ContentKind::wkb ? read_wkb(text, source.name(), options) : read_wkt(text, source.name(), options);
+  return part;
+}
+
+}  // namespace
+
+Parts read_parts(std::span<const std::string> paths, const ReadOptions& options, Attributes attributes) {
+  SourceList list = list_sources(paths, {options.layer, options.output});
+  const std::vector<Source>& sources = list.sources;
+  Parts parts;
+  parts.notes = std::move(list.notes);
+  parts.files.resize(sources.size());
+  std::vector<std::exception_ptr> failures(sources.size());
+  std::atomic<std::size_t> first_failure = sources.size();
+  std::mutex progress_lock;
+  std::size_t done = 0;
+
+  const auto read_file = [&](std::size_t i) {
+    if (i > first_failure) return;
+    try {
+      parts.files[i] = read_one(sources[i], options, attributes);
+      if (options.progress) {
+        const std::lock_guard lock(progress_lock);
+        options.progress(++done, sources.size());
+      }
+    } catch (...) {
+      failures[i] = std::current_exception();
+      std::size_t first = first_failure;
+      while (i < first && !first_failure.compare_exchange_weak(first, i)) {
+      }
+    }
+  };
+  // More threads than cores would gain nothing, and TBB would say so on standard error.
+  const int cores = tbb::info::default_concurrency();
+  tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, sources.size(), read_file); });
+  if (first_failure < sources.size()) std::rethrow_exception(failures[first_failure]);
+
+  CommonCrs crs;
+  for (const FilePart& part : parts.files) crs.add(part.layer.crs_wkt, part.layer.files.front());
+  parts.crs_wkt = crs.wkt();
+  return parts;
+}
+
+}  // namespace oblast::io
