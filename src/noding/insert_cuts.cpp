@@ -18,7 +18,7 @@
 namespace oblast::internal::noding {
 namespace {
 
-constexpr auto kept_flags = static_cast<std::uint8_t>(~(moved_flag | near_flag));
+constexpr auto kept_flags = static_cast<std::uint8_t>(~(moved_flag | near_flag | repeated_flag));
 
 /// Flags of the cuts of an edge that has these.
 std::uint8_t cut_flags(std::uint8_t of_edge) {

@@ -10,6 +10,7 @@
 #include "noding/clearance.h"
 #include "noding/meeting_test.h"
 #include "noding/pair_finder.h"
+#include "noding/repeated_pieces.h"
 
 namespace oblast::internal::noding {
 namespace {
@@ -39,6 +40,8 @@ void add_touching(const Strands& strands, Array<std::uint32_t>& tangled) {
 
 LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling settling,
                                   const std::function<void()>& checkpoint, Clearance* clearance, FirstFindings* first) {
+  LargeArray<RepeatedPiece> repeated;
+  if (grouping == Grouping::by_moved) repeated = flag_repeated_pieces(strands);
   LargeArray<Run> runs = monotone_runs(strands, grouping, clearance ? clearance->run_margins() : RunMargins{});
   const bool repeats = runs.size() > runs_of_one_cell, parallel = runs.size() > runs_of_one_thread;
   Found by_caller;
@@ -74,6 +77,7 @@ LargeArray<EdgeCut> find_meetings(Strands& strands, Grouping grouping, Settling 
     for (const auto& block : part.contacts.blocks()) blocks.emplace_back(block);
   if (blocks.empty()) return {};
   LargeArray<EdgeCut> cuts = arrange_cuts(strands, blocks, settling, clearance);
+  copy_cuts(strands, repeated, cuts);
   if (!clearance)
     for (const EdgeCut& cut : cuts) strands.flags[cut.edge] |= near_flag;
   return cuts;

@@ -86,6 +86,8 @@ class RunFinder {
 
  private:
   bool piece_moved(std::uint32_t edge) const { return (strands_.flags[edge] & moved_flag) != 0; }
+  /// Of the flags by which runs are parted: whether the last round made the piece, and an identical one before it.
+  std::uint8_t kind(std::uint32_t edge) const { return strands_.flags[edge] & (moved_flag | repeated_flag); }
 
   /// Of the edges [first, past) of a strand, not none.
   template <bool by_moved>
@@ -101,7 +103,7 @@ class RunFinder {
       const unsigned next = heading(points_[edge], points_[edge + 1]);
       bool begins_here =
           static_cast<int>(turns_back(headings | next)) | static_cast<int>(edge - run_begin == longest_run);
-      if (by_moved) begins_here = begins_here || piece_moved(edge) != piece_moved(run_begin);
+      if (by_moved) begins_here = begins_here || kind(edge) != kind(run_begin);
       word |= static_cast<std::uint64_t>(begins_here) << edge % edges_a_word;
       headings = begins_here ? next : headings | next;
       run_begin = begins_here ? edge : run_begin;
@@ -146,6 +148,8 @@ LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const R
   for_numbered_ranges(edges, edges_a_range, [&](std::size_t i, std::size_t begin, std::size_t end) {
     finder.write(begin, end, runs.data() + places[i]);
   });
+  if (grouping == Grouping::by_moved)
+    std::erase_if(runs, [&](const Run& run) { return (strands.flags[run.first] & repeated_flag) != 0; });
   return runs;
 }
 

@@ -52,7 +52,7 @@ struct RunMargins {
   double ulps = 0;    ///< margin of each run, in units in the last place of its own largest coordinate
 };
 
-/// Cost: linear.
+/// Pieces flagged repeated_flag are left out. Cost: linear.
 LargeArray<Run> monotone_runs(const Strands& strands, Grouping grouping, const RunMargins& margins = {});
 
 }  // namespace oblast::internal::noding

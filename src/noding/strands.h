@@ -52,11 +52,12 @@ struct ChangeRules {
 
 /// What is known of a vertex; a set of bits.
 enum VertexFlag : std::uint8_t {
-  node_flag = 1,    ///< other edges meet here: a node of the graph
-  added_flag = 2,   ///< put in by noding; not a vertex of the input
-  moved_flag = 4,   ///< the edge that starts here is a piece that the last round made
-  closed_flag = 8,  ///< first or last vertex of a closed strand
-  near_flag = 16,   ///< the edge that starts here does not keep clear of all others (clearance.h)
+  node_flag = 1,       ///< other edges meet here: a node of the graph
+  added_flag = 2,      ///< put in by noding; not a vertex of the input
+  moved_flag = 4,      ///< the edge that starts here is a piece that the last round made
+  closed_flag = 8,     ///< first or last vertex of a closed strand
+  near_flag = 16,      ///< the edge that starts here does not keep clear of all others (clearance.h)
+  repeated_flag = 32,  ///< the edge that starts here is a piece with the ends of an earlier one (repeated_pieces.h)
 };
 
 /// Edges of one group are known not to meet each other except where they follow one another.
