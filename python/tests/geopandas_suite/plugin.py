@@ -25,11 +25,11 @@ OVERLAPPING_ROWS = (
 )
 # What differs, and why. A test that is listed and passes is an error, too.
 DIFFERS: dict[str, str] = {
-    "test_overlay.py::test_overlay_overlap[union]": OVERLAPPING_ROWS,
-    "test_overlay.py::test_overlay_overlap[intersection]": OVERLAPPING_ROWS,
-    "test_overlay.py::test_overlay_overlap[difference]": OVERLAPPING_ROWS,
-    "test_overlay.py::test_overlay_overlap[symmetric_difference]": OVERLAPPING_ROWS,
-    "test_overlay.py::test_keep_geom_type_geometry_collection": (
+    "test_overlay::test_overlay_overlap[union]": OVERLAPPING_ROWS,
+    "test_overlay::test_overlay_overlap[intersection]": OVERLAPPING_ROWS,
+    "test_overlay::test_overlay_overlap[difference]": OVERLAPPING_ROWS,
+    "test_overlay::test_overlay_overlap[symmetric_difference]": OVERLAPPING_ROWS,
+    "test_overlay::test_keep_geom_type_geometry_collection": (
         "keep_geom_type=None: a pair that has an area, and touches elsewhere, is not in the warning's count; "
         "the rows are the same"
     ),
@@ -51,7 +51,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     test_overlay = importlib.import_module("geopandas.tests.test_overlay")
     test_overlay.DATA = str(DATA / "overlay")
     for item in items:
-        name = item.nodeid.rpartition("/")[2]
+        module = item.getparent(pytest.Module)
+        name = f"{module.obj.__name__.rpartition('.')[2]}::{item.name}" if module else item.name
         if name in DIFFERS:
             item.add_marker(pytest.mark.xfail(reason=DIFFERS[name], strict=True))
 
