@@ -79,7 +79,7 @@ std::string short_name(const std::vector<std::string>& paths) {
 
 }  // namespace
 
-void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments) {
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json) {
   int from_standard_input = 0;
   for (const auto& paths : operands) {
     for (const std::string& path : paths) from_standard_input += path == "-";
@@ -159,7 +159,7 @@ void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& inv
 
 int run_job(const Job& job, const JobArguments& arguments, bool json) {
   const Stopwatch total;
-  check_call(job.operands, arguments);
+  check_call(job.operands, arguments, json);
   Summary summary;
   io::WriteOptions writing_options = write_options(arguments.output);
   writing_options.notes = &summary.notes;
@@ -207,7 +207,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   summary.output = arguments.output.output;
   summary.picture = arguments.picture;
   summary.engine = options.engine;
-  add_measures(summary, result, write_options.crs_wkt, !json && !arguments.quiet);
+  add_measures(summary, result, writing_options.crs_wkt, !json && !arguments.quiet);
   summary.seconds_total = total.seconds();
   report(summary, json, arguments.quiet);
   return exit_done;

@@ -37,7 +37,7 @@ enum class Operands { one, two };
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands);
 
 /// Checks that options do not contradict each other. Throws CallError.
-void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments);
+void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json);
 
 /// Throws CallError if the picture cannot be where the other output is.
 void check_picture_call(const std::string& picture, const std::string& output, bool json);

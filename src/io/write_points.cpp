@@ -1,12 +1,11 @@
 #include "io/write_points.h"
 
-#include <cpl_string.h>
 #include <fmt/format.h>
-
-#include <filesystem>
 
 #include "io/formats.h"
 #include "io/gdal_output.h"
+#include "io/gdal_output_file.h"
+#include "io/gdal_session.h"
 #include "io/write_text.h"
 
 namespace oblast::io {
@@ -48,35 +47,16 @@ void write_features(OGRLayer& layer, std::span<const Point> points, std::span<co
   }
 }
 
-void write_with_driver(const std::string& stage, const char* driver_name, std::span<const Point> points,
-                       std::span<const PointColumn> columns, const WriteOptions& options, const std::string& name) {
+void write_with_driver(const GdalLayer& what, std::span<const Point> points, std::span<const PointColumn> columns) {
   register_gdal_drivers();
-  GdalMessages messages;
-  const ThreadOption no_listing("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE");
-  const ThreadOption no_sync("OGR_SQLITE_SYNCHRONOUS", "OFF");
-  const Check check(messages, name);
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (!options.crs_wkt.empty()) check(crs.importFromWkt(options.crs_wkt.c_str()) == OGRERR_NONE);
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_name);
-  check(driver != nullptr);
-  Dataset dataset(driver->Create(stage.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  check(dataset != nullptr);
-  CPLStringList layer_options;
-  if (std::string_view(driver_name) == "ESRI Shapefile") layer_options.SetNameValue("ENCODING", "UTF-8");
-  OGRLayer* layer = dataset->CreateLayer(std::filesystem::path(name).stem().string().c_str(),
-                                         options.crs_wkt.empty() ? nullptr : &crs, wkbPoint, layer_options.List());
-  check(layer != nullptr);
+  GdalOutputFile file(what, wkbPoint, {});
   for (const PointColumn& column : columns) {
     OGRFieldDefn field(column.name.c_str(), type_of(column));
-    check(layer->CreateField(&field) == OGRERR_NONE);
+    file.check()(file.layer().CreateField(&field) == OGRERR_NONE);
   }
-  const bool transactions = dataset->TestCapability(ODsCTransactions) != 0;
-  if (transactions) check(dataset->StartTransaction() == OGRERR_NONE);
-  write_features(*layer, points, columns, check);
-  if (transactions) check(dataset->CommitTransaction() == OGRERR_NONE);
-  dataset.reset();  // the headers are written here
-  check(true);
+  file.begin_features();
+  write_features(file.layer(), points, columns, file.check());
+  file.close();
 }
 
 }  // namespace
@@ -85,11 +65,14 @@ void write_points(const std::string& path_given, std::span<const Point> points, 
                   const WriteOptions& options) {
   check_writable(path_given, options);
   if (path_given == "-") return write_text_to_standard_output(to_wkt(points));
-  const std::string path = target_of(path_given);
-  write_staged(path, options.existing, [&](const std::string& stage) {
-    if (is_wkt(path)) return write_text(stage, to_wkt(points), path);
-    const char* const driver = format_of(path)->writer;
-    write_with_driver(stage, driver ? driver : "GeoJSON", points, columns, options, path);
+  const OutputTarget target = output_target(path_given);
+  write_staged(target, options, [&](const std::string& stage) {
+    if (is_wkt(target.path)) return write_text(stage, to_wkt(points), target.path);
+    const char* const driver = format_of(target.path)->writer;
+    if (!driver && !is_geojson(target.path))
+      throw IoError("cannot write points to " + target.path + "; choose .gpkg, .shp, .geojson, .fgb or .wkt");
+    write_with_driver({stage, driver ? driver : "GeoJSON", target.layer_name(), options.crs_wkt, target.path}, points,
+                      columns);
   });
 }
 
