@@ -53,8 +53,8 @@ struct Layer {
   std::string crs_wkt;  ///< coordinate system as WKT, without heights; empty if the files name none
   ReadReport report;
   std::vector<std::uint32_t> open_contours;  ///< those that the file does not close; only with RingVertices::all
-  std::vector<std::string> columns;  ///< names of the attributes of the features; they are not in the layer
-  std::vector<std::string> notes;    ///< what else the user should know of the reading: one line each, none twice
+  std::vector<std::string> columns;          ///< names of the attributes of the features; they are not in the layer
+  std::vector<std::string> notes;  ///< what else the user should know of the reading: one line each, none twice
 };
 
 /// A place in the layer, for messages: "fires/0412.shp, feature 17, part 2, ring 1, vertex 5". Features have the ids of

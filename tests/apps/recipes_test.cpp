@@ -36,7 +36,7 @@ class Recipes : public ::testing::Test {
   void layer(const std::string& name, const std::vector<std::string>& features) {
     write_layer(folder_ / (name + ".geojson"), features);
     const ProgramRun run = oblast_program({"erase", folder_.path(name + ".geojson"), folder_.path("nothing.wkt"), "-o",
-                                           folder_.path(name + ".gpkg"), "-q"});
+                                           folder_.path(name + ".gpkg"), "--assume-crs", "EPSG:3035", "-q"});
     EXPECT_EQ(run.code, 0) << run.err;
   }
 
