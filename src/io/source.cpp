@@ -137,7 +137,7 @@ Names files_in_archive(const std::string& folder) {
   const CPLStringList names(VSIReadDirRecursive(folder.c_str()));
   for (int i = 0; i < names.Count(); ++i) {
     const std::string name = names[i];
-    const std::string path = folder + "/" + name;
+    const std::string path = fmt::format("{}/{}", folder, name);
     if (fs::path(name).filename().string().front() != '.' && !name.starts_with("__MACOSX") && !is_folder(path) &&
         is_vector_file(path))
       found.push_back(name);
@@ -155,7 +155,7 @@ Source source_in_archive(const std::string& folder, const std::string& shown, co
     for (const std::string& file : files) {
       const fs::path path = file;
       if (wanted == file || wanted == path.filename().string() || wanted == path.stem().string())
-        return {folder + "/" + file, {}};
+        return {fmt::format("{}/{}", folder, file), {}};
     }
   }
   if (files.size() == 1) return {folder + "/" + files.front(), wanted};
