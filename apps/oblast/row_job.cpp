@@ -193,7 +193,8 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
   summary_.columns = columns;
   summary_.notes = notes_;
   summary_.notes.insert(summary_.notes.end(), units_.begin(), units_.end());
-  summary_.area = signed_area(rows.regions);
+  // Repaired rows keep the directions of their rings.
+  summary_.area = summary_.noded ? signed_area(rows.regions) : area(rows.regions);
   summary_.seconds_total = total_.seconds();
   if (json_) {
     fmt::print("{}\n", to_json(summary_).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
