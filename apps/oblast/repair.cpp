@@ -168,6 +168,8 @@ void add_repair(CLI::App& program, Invocation& invocation) {
   // Valid features keep their vertices, and all results are valid in every GIS.
   command->remove_option(command->get_option("--minimal"));
   command->remove_option(command->get_option("--contours"));
+  // Areas of rows are measured by the directions of rings, which valid features keep.
+  command->remove_option(command->get_option("--area"));
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });

@@ -204,6 +204,8 @@ void RowJob::print_summary(const FeatureView& rows, std::size_t columns) {
   summary_.notes = notes_;
   summary_.units = units_;
   app::add_measures(summary_, rows.regions, crs_wkt_, !json_ && !arguments_.quiet);
+  // Repaired rows keep the directions of their rings.
+  if (!summary_.noded) summary_.area = area(rows.regions);
   summary_.seconds_total = total_.seconds();
   report(summary_, json_, arguments_.quiet);
 }

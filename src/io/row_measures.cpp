@@ -92,12 +92,16 @@ double RowMeasures::area_of_contour(std::span<const Point> contour) const {
 }
 
 std::string RowMeasures::area_text(const RegionView& regions) const {
-  if (!geodesic()) return fmt::format("{:.10g} {}", signed_area(regions), area_unit());
+  if (!geodesic()) return fmt::format("{:.10g} {}", area(regions), area_unit());
   std::vector<double> areas(regions.contour_count(), 0);
   tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t c) {
-    if (!regions.contour(c).empty()) areas[c] = area_of_contour(regions.contour(c));
+    if (!regions.contour(c).empty()) areas[c] = std::abs(area_of_contour(regions.contour(c)));
   });
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  // The first contour of a polygon is its outer one. Contours of a repaired layer may run either way.
+  double area = 0;
+  for (std::size_t p = 0; p < regions.polygon_count(); ++p)
+    for (std::size_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c)
+      area += c == regions.polygon_begin(p) ? areas[c] : -areas[c];
   constexpr double square_kilometre = 1e6;
   if (std::abs(area) < square_kilometre) return fmt::format("{:.6g} {}", area, area_unit());
   const double kilometres = area / square_kilometre;

@@ -87,6 +87,7 @@ TEST_F(Repair, ReportsAsJson) {
   EXPECT_EQ(report["features_without_geometry"].size(), 2U);
   EXPECT_EQ(report["result"]["polygons"], 3);
   EXPECT_FALSE(report.contains("gaps_left"));
+  EXPECT_EQ(report["result"]["area"], 9);
 }
 
 TEST_F(Repair, ListsTheFirstTwentyChanges) {
