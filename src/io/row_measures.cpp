@@ -2,13 +2,14 @@
 #include "io/row_measures.h"
 
 #include <fmt/format.h>
+#include <oblast/measure.h>
 #include <geodesic.h>
 #include <ogr_spatialref.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
 #include <utility>
 
 #include "io/gdal_session.h"
@@ -92,7 +93,7 @@ double RowMeasures::area_of_contour(std::span<const Point> contour) const {
 }
 
 std::string RowMeasures::area_text(const RegionView& regions) const {
-  if (!geodesic()) return fmt::format("{:.10g} {}", area(regions), area_unit());
+  if (!geodesic()) return fmt::format("{:.10g} {}", oblast::area(regions), area_unit());
   std::vector<double> areas(regions.contour_count(), 0);
   tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t c) {
     if (!regions.contour(c).empty()) areas[c] = std::abs(area_of_contour(regions.contour(c)));
