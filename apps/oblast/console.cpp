@@ -13,8 +13,8 @@ namespace oblast::app {
 
 namespace {
 
-// What a phase takes of a job, measured on jobs from 10 to 150 MB: text is slow to read, and a GeoPackage to write. A
-// folder of shapefiles is read faster, and then the bar begins with a leap.
+// What a phase takes of a job, roughly: text is slow to read, and a GeoPackage to write. A folder of shapefiles is read
+// faster, and then the bar begins with a leap.
 constexpr double weights[] = {4, 2, 3, 1};  // by Phase
 
 constexpr int bar_length = 24;

@@ -2,14 +2,13 @@
 #include "io/row_measures.h"
 
 #include <fmt/format.h>
-#include <oblast/measure.h>
 #include <geodesic.h>
+#include <oblast/measure.h>
 #include <ogr_spatialref.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-
 #include <utility>
 
 #include "io/gdal_session.h"
