@@ -150,7 +150,7 @@ void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, co
   if (const io::OutputColumn* column = find_column(columns.columns, colour)) {
     drawn.classes = colour_classes(rows, *column);
     drawn.result = {};
-    drawn.operation += " by " + colour;
+    if (colour != drawn.operation) drawn.operation += " by " + colour;  // not "depth by depth"
   }
   draw(drawn, arguments_);
 }
