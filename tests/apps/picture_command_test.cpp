@@ -84,6 +84,13 @@ TEST_F(PictureOption, ALongTitleIsWrappedAndCut) {
   EXPECT_FALSE(contains(done.out, std::string(150, 'n')));
 }
 
+TEST_F(PictureOption, ThePictureOfADepthSaysDepthOnce) {
+  const ProgramRun done = oblast_program(
+      {"depth", folder_.path("a.wkt"), folder_.path("b.wkt"), "-o", folder_.path("o.gpkg"), "--svg", "-"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_TRUE(contains(done.out, ">depth of a.wkt and 1 more<")) << done.out;
+}
+
 TEST_F(PictureOption, TheScaleBarHasTheUnitOfTheCoordinateSystem) {
   write_layer(folder_ / "m.geojson", {square(4e6, 500, "")});
   EXPECT_TRUE(
