@@ -5,12 +5,6 @@
 #include "plane/point_hash.h"
 
 namespace oblast::internal::noding {
-namespace {
-
-/// The same for both directions of an edge, from hash() of its ends.
-std::uint32_t edge_hash(std::uint64_t from, std::uint64_t to) { return static_cast<std::uint32_t>((from + to) >> 32); }
-
-}  // namespace
 
 LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points) {
   LargeArray<std::uint32_t> hashes;

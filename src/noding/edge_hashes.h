@@ -59,6 +59,11 @@ class HashBits {
   Array<std::uint64_t> words_;
 };
 
+/// The same for both directions of an edge, from hash() of its ends.
+inline std::uint32_t edge_hash(std::uint64_t from, std::uint64_t to) {
+  return static_cast<std::uint32_t>((from + to) >> 32);
+}
+
 /// By edge, the same for both directions. The place between two strands gets a value too.
 LargeArray<std::uint32_t> hash_edges(const LargeArray<Point>& points);
 

@@ -6,33 +6,10 @@
 
 #include "base/tuning.h"
 #include "noding/edge_hashes.h"
+#include "noding/edge_table.h"
 
 namespace oblast::internal::noding {
 namespace {
-
-/// Finds to every edge the first one with the same ends: an open-addressing table of edges.
-class EdgeTable {
- public:
-  EdgeTable(const LargeArray<Point>& points, std::size_t most_edges)
-      : points_(points), slots_(std::bit_ceil(most_edges + most_edges / 2 + 2), none), mask_(slots_.size() - 1) {}
-
-  void prefetch(std::uint32_t hash) const { fetch_to_write(&slots_[hash & mask_]); }
-  /// The first edge with the ends of this one; the edge itself when it is new.
-  std::uint32_t find_or_insert(std::uint32_t edge, std::uint32_t hash) {
-    const Point &a = points_[edge], &b = points_[edge + 1];
-    for (std::uint64_t slot = hash;; ++slot) {
-      std::uint32_t& entry = slots_[slot & mask_];
-      if (entry == none) return entry = edge;
-      const Point &c = points_[entry], &d = points_[entry + 1];
-      if ((a == d && b == c) || (a == c && b == d)) return entry;
-    }
-  }
-
- private:
-  const LargeArray<Point>& points_;
-  Array<std::uint32_t> slots_;
-  std::uint64_t mask_;
-};
 
 /// Finds to every edge the first one with the same ends, among those of which is_candidate(hash) holds.
 template <class IsCandidate>

@@ -1,14 +1,13 @@
 #include "noding/repeated_pieces.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "base/call.h"
-#include "base/fetch.h"
 #include "base/index.h"
 #include "base/parallel.h"
 #include "base/tuning.h"
 #include "noding/edge_hashes.h"
+#include "noding/edge_table.h"
 #include "plane/point_hash.h"
 
 namespace oblast::internal::noding {
@@ -34,8 +33,7 @@ LargeArray<Moved> moved_edges(const Strands& strands) {
     Moved* to = moved.data() + places[range];
     for (std::size_t e = begin; e < end; ++e) {
       if (!is_moved(e)) continue;
-      const std::uint64_t both = hash(strands.points[e]) + hash(strands.points[e + 1]);
-      *to++ = {static_cast<std::uint32_t>(e), static_cast<std::uint32_t>(both >> 32)};
+      *to++ = {static_cast<std::uint32_t>(e), edge_hash(hash(strands.points[e]), hash(strands.points[e + 1]))};
     }
   });
   return moved;
@@ -47,31 +45,19 @@ LargeArray<RepeatedPiece> flag_repeated_pieces(Strands& strands) {
   LargeArray<RepeatedPiece> repeated;
   const LargeArray<Moved> moved = moved_edges(strands);
   if (moved.size() < 2) return repeated;
-  const auto& points = strands.points;
-  LargeArray<std::uint32_t> slots;  // open addressing
-  fill_in_large_pages(slots, std::bit_ceil(moved.size() + moved.size() / 2), none);
-  const std::size_t mask = slots.size() - 1;
+  EdgeTable table(strands.points, moved.size());
   Steps steps(moved.size());
   for (std::size_t i = 0; i < moved.size(); ++i) {
     steps();
-    if (i + edges_ahead < moved.size()) fetch_to_write(&slots[moved[i + edges_ahead].hash & mask]);
-    const std::uint32_t e = moved[i].edge;
-    std::size_t slot = moved[i].hash & mask;
-    const auto same_ends = [&](std::uint32_t f) {
-      return (points[f] == points[e] && points[f + 1] == points[e + 1]) ||
-             (points[f] == points[e + 1] && points[f + 1] == points[e]);
-    };
-    while (slots[slot] != none && !same_ends(slots[slot])) slot = (slot + 1) & mask;
-    if (slots[slot] == none) {
-      slots[slot] = e;
-      continue;
+    if (i + edges_ahead < moved.size()) table.prefetch(moved[i + edges_ahead].hash);
+    const std::uint32_t edge = moved[i].edge, first = table.find_or_insert(edge, moved[i].hash);
+    if (first == edge) continue;
+    repeated.push_back({edge, first});
+    for (const std::uint32_t e : {edge, first}) {
+      strands.flags[e] |= node_flag;
+      strands.flags[e + 1] |= node_flag;
     }
-    repeated.push_back({e, slots[slot]});
-    for (const std::uint32_t f : {e, slots[slot]}) {
-      strands.flags[f] |= node_flag;
-      strands.flags[f + 1] |= node_flag;
-    }
-    strands.flags[e] |= repeated_flag;
+    strands.flags[edge] |= repeated_flag;
   }
   return repeated;
 }
