@@ -86,6 +86,11 @@ std::pair<std::uintmax_t, fs::file_time_type> state_of(const std::string& path) 
 
 }  // namespace
 
+TextFormat text_format_of(const std::string& path) {
+  if (is_geojson(path)) return TextFormat::geojson;
+  return is_wkb(path) ? TextFormat::wkb : TextFormat::wkt;
+}
+
 void write_staged(const OutputTarget& target, const WriteOptions& options,
                   const std::function<void(const std::string& path)>& write_to) {
   StagedOutput stage(target.path, files_of(target.path));
@@ -173,10 +178,7 @@ void write(const std::string& path_given, const RegionView& regions, const Write
       write_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, regions,
                       options.polygon_numbers, options.notes);
     } else {
-      const TextFormat format = is_geojson(target.path) ? TextFormat::geojson
-                                : is_wkb(target.path)   ? TextFormat::wkb
-                                                        : TextFormat::wkt;
-      write_text(stage, to_text(regions, format, options), target.path);
+      write_text(stage, to_text(regions, text_format_of(target.path), options), target.path);
     }
   });
 }

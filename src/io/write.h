@@ -16,6 +16,8 @@ namespace oblast::io {
 enum class Existing { refuse, overwrite };
 /// Of standard output; the extension of a file decides its format.
 enum class TextFormat { wkt, wkb, geojson };
+/// Of a file that our own code writes as one text. REQUIRES: its extension is of such a format.
+TextFormat text_format_of(const std::string& path);
 
 struct WriteOptions {
   Existing existing = Existing::refuse;

@@ -73,10 +73,7 @@ void write_rows(const std::string& path_given, const FeatureView& rows, std::spa
     } else if (is_csv(target.path)) {
       write_csv(stage, output, notes);
     } else {
-      const TextFormat format = is_geojson(target.path) ? TextFormat::geojson
-                                : is_wkb(target.path)   ? TextFormat::wkb
-                                                        : TextFormat::wkt;
-      write_text(stage, to_text(output, format, notes), target.path);
+      write_text(stage, to_text(output, text_format_of(target.path), notes), target.path);
     }
   });
 }
