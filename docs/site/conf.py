@@ -23,9 +23,12 @@ extensions = [
 ]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 # The folders of the repository are there for links to their files; only docs/ has pages.
-include_patterns = ["*.md", "api/**", "gallery/*", "docs/*.md", "docs/decisions/*.md", "bench/README.md"]
-exclude_patterns = ["README.md", "gallery/README.rst", "gallery/sg_execution_times.rst"]
-suppress_warnings = ["config.cache"]  # sphinx_gallery_conf holds functions
+include_patterns = ["*.md", "api/**", "gallery/*.rst", "docs/*.md", "docs/decisions/*.md", "bench/README.md", "bench/python/*.md", "python/README.md"]
+exclude_patterns = ["gallery/README.rst", "gallery/sg_execution_times.rst"]
+suppress_warnings = [
+    "config.cache",  # sphinx_gallery_conf holds functions
+    "duplicate_declaration.cpp",  # each page of a header says `namespace oblast`
+]
 
 # Markdown of the repository. Links to its other files become downloads.
 myst_enable_extensions = ["colon_fence"]

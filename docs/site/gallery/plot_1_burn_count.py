@@ -15,6 +15,7 @@ from pathlib import Path
 import geopandas as gpd
 import matplotlib.pyplot as plt
 import pandas as pd
+import shapely
 
 import oblast
 
@@ -30,7 +31,7 @@ with oblast.statistics() as s:
 print(f"{s.intersections} intersections, {s.rounds} rounds, {sum(s.seconds.values()):.2f} s")
 
 depth = gpd.GeoDataFrame({"times": counted.depth}, geometry=counted.regions.to_shapely(), crs=fires.crs)
-print(depth.assign(area=counted.regions.explode().area and depth.area).head(5)[["times", "area"]].to_string(index=False))
+print(depth.assign(parts=shapely.get_num_geometries(depth.geometry)).head(5)[["times", "parts"]].to_string(index=False))
 
 # %%
 # The whole month, and the place that burnt most often.

@@ -61,7 +61,7 @@ print(f"largest difference: {np.abs(areas / communes.area - 1).max():.1e} of a c
 # A commune and its parts.
 
 chosen = 1200
-shapes = gpd.GeoSeries(parts[np.flatnonzero(i == chosen)].to_shapely())
+shapes = gpd.GeoDataFrame(geometry=parts[np.flatnonzero(i == chosen)].to_shapely())
 figure, axis = plt.subplots(figsize=(9, 4.5))
 shapes.plot(ax=axis, column=shapes.area, cmap="Blues", edgecolor="white", linewidth=0.4)
 communes.iloc[[chosen]].boundary.plot(ax=axis, color="#37474f")
