@@ -23,7 +23,7 @@ extensions = [
 ]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 # The folders of the repository are there for links to their files; only docs/ has pages.
-include_patterns = ["*.md", "api/**", "gallery/*.rst", "docs/*.md", "docs/decisions/*.md", "bench/README.md", "bench/python/*.md", "python/README.md"]
+include_patterns = ["*.md", "*.rst", "api/**", "gallery/*.rst", "docs/*.md", "docs/decisions/*.md", "bench/README.md", "bench/python/*.md", "python/README.md"]
 exclude_patterns = ["gallery/README.rst", "gallery/sg_execution_times.rst"]
 suppress_warnings = [
     "config.cache",  # sphinx_gallery_conf holds functions
@@ -55,7 +55,7 @@ plot_pre_code = ""
 
 def quiet(gallery_conf: object, file_name: object) -> None:
     """Before each example: what matplotlib and geopandas warn of is no part of the page."""
-    warnings.filterwarnings("ignore", category=UserWarning, module="pyogrio|geopandas")
+    warnings.filterwarnings("ignore", category=UserWarning, message="Geometry is in a geographic CRS")
 
 
 sphinx_gallery_conf = {
@@ -73,6 +73,7 @@ sphinx_gallery_conf = {
     "matplotlib_animations": False,
     "reset_modules": ("matplotlib", quiet),
     "remove_config_comments": True,
+    "thumbnail_size": (640, 400),
 }
 
 html_theme = "pydata_sphinx_theme"

@@ -30,8 +30,11 @@ with oblast.statistics() as s:
     counted = oblast.depth(fires.geometry)
 print(f"{s.intersections} intersections, {s.rounds} rounds, {sum(s.seconds.values()):.2f} s")
 
-depth = gpd.GeoDataFrame({"times": counted.depth}, geometry=counted.regions.to_shapely(), crs=fires.crs)
-print(depth.assign(parts=shapely.get_num_geometries(depth.geometry)).head(5)[["times", "parts"]].to_string(index=False))
+depth = gpd.GeoDataFrame(
+    {"times": counted.depth}, geometry=counted.regions.to_shapely(), crs=fires.crs
+)
+depth["parts"] = shapely.get_num_geometries(depth.geometry)
+print(depth[["times", "parts"]].head(5).to_string(index=False))
 
 # %%
 # The whole month, and the place that burnt most often.
@@ -39,16 +42,16 @@ print(depth.assign(parts=shapely.get_num_geometries(depth.geometry)).head(5)[["t
 russia = gpd.read_file(Path(os.environ["OBLAST_SHARED"]) / "realworld/russia-subjects.geojson")
 most = depth.geometry.iloc[-1].representative_point()
 
-figure, (whole, near) = plt.subplots(1, 2, figsize=(10, 4.2), width_ratios=[2, 1])
-russia.plot(ax=whole, color="#eceff1", edgecolor="white", linewidth=0.4)
-depth.plot(ax=whole, color="#d84315")
+figure, (whole, near) = plt.subplots(1, 2, figsize=(10, 3.8), width_ratios=[2, 1])
+russia.plot(ax=whole, color="#dfe5e8", edgecolor="white", linewidth=0.4)
+depth.plot(ax=whole, color="#d84315", edgecolor="#d84315", linewidth=0.8)
 whole.plot(most.x, most.y, "o", markersize=14, fillstyle="none", color="black")
-whole.set(xlim=(25, 145), ylim=(41, 72), aspect=1.7, title=f"{len(fires)} detections of April")
-depth.cx[most.x - 0.4 : most.x + 0.4, most.y - 0.25 : most.y + 0.25].plot(
-    ax=near, column="times", cmap="YlOrRd", legend=True, legend_kwds={"label": "times"}
-)
-near.set(xlim=(most.x - 0.4, most.x + 0.4), ylim=(most.y - 0.25, most.y + 0.25), aspect=1.7)
+whole.set(xlim=(25, 145), ylim=(41, 72), title=f"{len(fires)} detections of April")
+part = depth.cx[most.x - 0.12 : most.x + 0.12, most.y - 0.08 : most.y + 0.08]
+part.plot(ax=near, column="times", cmap="YlOrRd", legend=True, legend_kwds={"shrink": 0.8})
+near.set(xlim=(most.x - 0.12, most.x + 0.12), ylim=(most.y - 0.08, most.y + 0.08))
 near.set_title(f"up to {counted.depth.max()} times in one place")
 for axis in (whole, near):
+    axis.set_aspect(1.7)
     axis.set_axis_off()
 figure.tight_layout()

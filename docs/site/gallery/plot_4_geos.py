@@ -38,12 +38,12 @@ print(f"oblast:      {ours.area:.3f}, {oblast.check(ours).message}")
 
 # %%
 
-figure, axes = plt.subplots(1, 3, figsize=(10, 2.6), sharey=True)
+figure, axes = plt.subplots(1, 3, figsize=(10, 2), sharey=True)
 gpd.GeoSeries([left, right]).plot(ax=axes[0], color=["#8fb8de", "#f2a541"], edgecolor="#37474f")
 axes[0].set_title(f"given: {left.area:.1f} and {right.area:.1f}")
-gpd.GeoSeries([theirs]).plot(ax=axes[1], color="#c62828")
+gpd.GeoSeries([theirs]).plot(ax=axes[1], color="#c62828", edgecolor="#37474f")
 axes[1].set_title(f"GEOS: {theirs.area:.1f}")
-gpd.GeoSeries(ours.to_shapely()).plot(ax=axes[2], color="#2a7f3f")
+gpd.GeoSeries(ours.to_shapely()).plot(ax=axes[2], color="#6aa84f", edgecolor="#37474f")
 axes[2].set_title(f"oblast: {ours.area:.1f}")
 for axis in axes:
     axis.set(xlim=(-317, -273), ylim=(-5, 7))
@@ -51,6 +51,5 @@ for axis in axes:
 figure.tight_layout()
 
 # %%
-# Why: GEOS computes with rounded points and then hopes that they still fit. If they do not fit, it tries again with snapped
-# coordinates, and takes whatever comes out. oblast decides by exact arithmetic which point lies on which side, and rounds a
-# new vertex once, at the end.
+# GEOS rounds crossings while it decides, and snaps vertices if the pieces do not fit together; here one of the two polygons is
+# lost on the way. oblast decides by exact arithmetic which point lies on which side, and rounds a new vertex only at the end.
