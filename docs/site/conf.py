@@ -47,10 +47,9 @@ breathe_show_include = False
 plot_html_show_source_link = False
 plot_html_show_formats = False
 plot_formats = [("svg", 100)]
-plot_rcparams = {"figure.figsize": (7.2, 3.4), "svg.fonttype": "path", "axes.titlesize": 10}
+plot_rcparams = {"figure.figsize": (8.5, 3.2), "savefig.bbox": "tight", "svg.fonttype": "path", "axes.titlesize": 10}
 plot_apply_rcparams = True
 plot_include_source = True
-plot_pre_code = ""
 
 
 def quiet(gallery_conf: object, file_name: object) -> None:

@@ -13,6 +13,7 @@ from pathlib import Path
 import geopandas as gpd
 import matplotlib.pyplot as plt
 import numpy as np
+import shapely
 
 import oblast
 
@@ -21,7 +22,8 @@ import oblast
 
 folder = Path(os.environ["OBLAST_SHARED"]) / "realworld"
 subjects = gpd.read_file(folder / "russia-subjects.geojson")
-reports = [oblast.check(row) for row in subjects.geometry]
+rows = shapely.orient_polygons(subjects.geometry.values)  # rings turned as they should be
+reports = [oblast.check(row) for row in rows]
 faulty = [i for i, report in enumerate(reports) if not report]
 print(len(faulty), "of", len(subjects), "rows have a fault")
 for i in faulty[:3]:
@@ -46,11 +48,11 @@ rounded = oblast.from_ragged(np.round(union.points, 5), union.ring_offsets, unio
 print(oblast.check(rounded).message)
 
 # %%
-# The first fault of the published layer. An edge of the border runs back and crosses another one.
+# The first fault of the published layer.
 
 row = faulty[0]
 x, y = reports[row].point
-size = 0.02
+size = 0.004
 figure, (whole, near) = plt.subplots(1, 2, figsize=(10, 4), width_ratios=[2, 1])
 subjects.plot(ax=whole, color="#cfd8dc", edgecolor="white", linewidth=0.3)
 subjects.iloc[faulty].plot(ax=whole, color="#f2a541", edgecolor="white", linewidth=0.3)
