@@ -39,7 +39,9 @@ def identity_oblast(_folder):
     yield
     rows = oblast.overlay_features(left, right, "identity")
     yield
-    yield answer(rows.regions.to_shapely())
+    geometries = rows.regions.to_shapely()
+    yield
+    yield answer(geometries)
 
 
 def identity_oblast_geopandas(_folder):
@@ -50,6 +52,7 @@ def identity_oblast_geopandas(_folder):
     yield
     result = og.overlay(a, b, how="identity", keep_geom_type=True)
     yield
+    yield
     yield answer(result.geometry)
 
 
@@ -58,6 +61,7 @@ def identity_geopandas(_folder):
     yield
     yield
     result = geopandas.overlay(a, b, how="identity", keep_geom_type=True)
+    yield
     yield
     yield answer(result.geometry)
 
@@ -86,6 +90,7 @@ def identity_sedonadb(_folder):
     table = connection.sql(IDENTITY).to_memtable()
     yield
     geometries = table.to_pandas().geometry
+    yield
     yield answer(geometries[shapely.area(geometries) > 0])
 
 
@@ -98,7 +103,9 @@ def dissolve_oblast(_folder):
     yield
     rows = oblast.dissolve(regions, frame["departement"].to_numpy(dtype=str))
     yield
-    yield answer(rows.regions.to_shapely())
+    geometries = rows.regions.to_shapely()
+    yield
+    yield answer(geometries)
 
 
 def dissolve_oblast_geopandas(_folder):
@@ -109,6 +116,7 @@ def dissolve_oblast_geopandas(_folder):
     yield
     result = og.dissolve(frame, by="departement")
     yield
+    yield
     yield answer(result.geometry)
 
 
@@ -117,6 +125,7 @@ def dissolve_geopandas(_folder):
     yield
     yield
     result = frame.dissolve(by="departement")
+    yield
     yield
     yield answer(result.geometry)
 
@@ -132,4 +141,6 @@ def dissolve_sedonadb(_folder):
     query = "SELECT departement, ST_Union_Agg(geometry) AS geometry FROM a GROUP BY departement"
     table = connection.sql(query).to_memtable()
     yield
-    yield answer(table.to_pandas().geometry)
+    geometries = table.to_pandas().geometry
+    yield
+    yield answer(geometries)

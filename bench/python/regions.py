@@ -1,7 +1,7 @@
 """One job by one tool in a fresh process: jobs that unite one layer of fires, or overlay pairs.
 
 A job is a generator. It yields when its input is loaded, when the input is in the tool's natural types, when the operation is
-done, and when the result is in arrays or geometries as the caller had them; the last yield is what to compare.
+done, and when the result is in arrays, or in geometries if the caller had geometries. Then it yields what to compare.
 """
 
 import sys
@@ -38,13 +38,12 @@ def shapely_polygons(points, offsets):
     return shapely.from_ragged_array(shapely.GeometryType.POLYGON, closed, (rings, np.arange(len(rings))))
 
 
-def ragged(geometries):
-    """Arrays of what shapely answered; collections are left out, as they have no polygons but for slivers."""
+def polygons_only(geometries):
+    """Shapely answers some pairs with a collection that has lines or points, too."""
     import shapely
 
-    parts = shapely.get_parts(geometries)
-    parts = shapely.get_parts(parts)
-    return shapely.to_ragged_array(parts[shapely.get_type_id(parts) == 3]), shapely.area(parts).sum()
+    parts = shapely.get_parts(shapely.get_parts(geometries))
+    return parts[shapely.get_type_id(parts) == 3]
 
 
 def lists(points, offsets):
@@ -70,6 +69,7 @@ def fires_oblast(folder):
     result = oblast.union_all(regions)
     yield
     arrays = result.points, result.ring_offsets
+    yield
     yield result.area, len(arrays[0])
 
 
@@ -86,6 +86,7 @@ def fires_oblast_geopandas(folder):
     with oblast.geopandas.install():
         result = series.union_all()
     yield
+    yield
     yield result.area, None
 
 
@@ -97,6 +98,7 @@ def fires_geopandas(folder):
     yield
     yield
     result = series.union_all()
+    yield
     yield
     yield result.area, None
 
@@ -110,8 +112,10 @@ def fires_shapely(folder):
     yield
     result = shapely.union_all(polygons)
     yield
-    arrays, area = ragged(result)
-    yield area, len(arrays[1])
+    parts = polygons_only(result)
+    arrays = shapely.to_ragged_array(parts)
+    yield
+    yield shapely.area(parts).sum(), len(arrays[1])
 
 
 def fires_pyclipper(folder):
@@ -126,6 +130,7 @@ def fires_pyclipper(folder):
     result = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
     yield
     rings = [np.array(ring) / SCALE for ring in result]
+    yield
     yield ring_area(rings), sum(map(len, rings))
 
 
@@ -141,7 +146,9 @@ def fires_pyclipr(folder):
     clipper.addPaths(paths, pyclipr.Subject)
     result = clipper.execute(pyclipr.Union, pyclipr.FillRule.NonZero)
     yield
-    yield ring_area(result), sum(map(len, result))
+    points = np.concatenate(result)
+    yield
+    yield ring_area(result), len(points)
 
 
 def fires_sedonadb(folder):
@@ -156,7 +163,9 @@ def fires_sedonadb(folder):
     yield
     table = connection.sql("SELECT ST_Union_Agg(geometry) AS geometry FROM a").to_memtable()
     yield
-    yield table.to_pandas().geometry.area.sum(), None
+    geometries = table.to_pandas().geometry
+    yield
+    yield geometries.area.sum(), None
 
 
 def pairs_oblast(folder, name="pairs"):
@@ -169,6 +178,7 @@ def pairs_oblast(folder, name="pairs"):
     result = oblast.overlay_pairs(left, right)
     yield
     arrays = result.points, result.ring_offsets
+    yield
     yield result.area, len(arrays[0])
 
 
@@ -184,8 +194,10 @@ def pairs_shapely(folder):
     with ThreadPoolExecutor(CORES) as pool:
         result = np.concatenate(list(pool.map(lambda part: shapely.intersection(left[part], right[part]), parts)))
     yield
-    arrays, area = ragged(result)
-    yield area, len(arrays[1])
+    parts = polygons_only(result)
+    arrays = shapely.to_ragged_array(parts)
+    yield
+    yield shapely.area(parts).sum(), len(arrays[1])
 
 
 def pairs_pyclipper(folder, name="pairs"):
@@ -203,6 +215,7 @@ def pairs_pyclipper(folder, name="pairs"):
         result.append(clipper.Execute(pyclipper.CT_INTERSECTION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO))
     yield
     rings = [np.array(ring) / SCALE for rings in result for ring in rings]
+    yield
     yield ring_area(rings), sum(map(len, rings))
 
 
@@ -222,7 +235,9 @@ def pairs_pyclipr(folder, name="pairs"):
         result.append(clipper.execute(pyclipr.Intersection, pyclipr.FillRule.NonZero))
     yield
     rings = [ring for rings in result for ring in rings]
-    yield ring_area(rings), sum(map(len, rings))
+    points = np.concatenate(rings)
+    yield
+    yield ring_area(rings), len(points)
 
 
 def pairs_sedonadb(folder):
@@ -237,7 +252,9 @@ def pairs_sedonadb(folder):
     yield
     table = connection.sql("SELECT ST_Intersection(geometry, b) AS geometry FROM a").to_memtable()
     yield
-    yield table.to_pandas().geometry.area.sum(), None
+    geometries = table.to_pandas().geometry
+    yield
+    yield geometries.area.sum(), None
 
 
 def calls_oblast(folder):
@@ -248,6 +265,7 @@ def calls_oblast(folder):
     yield
     yield
     result = [oblast.intersection(x, y) for x, y in zip(left, right, strict=True)]
+    yield
     yield
     yield sum(r.area for r in result), None
 
@@ -260,6 +278,7 @@ def calls_shapely(folder):
     yield
     yield
     result = [shapely.intersection(x, y) for x, y in zip(left, right, strict=True)]
+    yield
     yield
     yield sum(r.area for r in result), None
 
