@@ -1,5 +1,6 @@
 """one.py JOB_TOOL FOLDER ROUNDS: runs a job, and prints its seconds by part, the best of the rounds, as JSON."""
 
+import itertools
 import json
 import os
 import resource
@@ -17,7 +18,7 @@ def parts(job):
     for _ in range(3):
         next(job)
         times.append(time.perf_counter())
-    return [end - begin for begin, end in zip(times, times[1:], strict=False)], next(job)
+    return [end - begin for begin, end in itertools.pairwise(times)], next(job)
 
 
 def main():
@@ -31,7 +32,9 @@ def main():
         if sum(seconds) > 5:  # the noise is small then
             break
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    print(json.dumps({"seconds": best, "area": float(answer[0]), "count": answer[1] and int(answer[1]), "peak_mb": peak}))
+    print(
+        json.dumps({"seconds": best, "area": float(answer[0]), "count": answer[1] and int(answer[1]), "peak_mb": peak})
+    )
     sys.stdout.flush()
     os._exit(0)  # some packages take seconds to leave
 

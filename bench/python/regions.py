@@ -1,7 +1,8 @@
 """One job by one tool in a fresh process: jobs that unite one layer of fires, or overlay pairs.
 
-A job is a generator. It yields when its input is loaded, when the input is in the tool's natural types, when the operation is
-done, and when the result is in arrays, or in geometries if the caller had geometries. Then it yields what to compare.
+A job is a generator. It yields when its input is loaded, when the input is in the tool's natural types, when the
+operation is done, and when the result is in arrays, or in geometries if the caller had geometries. Then it yields
+what to compare.
 """
 
 import sys
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "peers"))
-from workload_file import read_workload  # noqa: E402
+from workload_file import read_workload
 
 CORES = 2
 SCALE = 2**31  # pyclipper computes in whole numbers

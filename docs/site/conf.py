@@ -23,7 +23,17 @@ extensions = [
 ]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 # The folders of the repository are there for links to their files; only docs/ has pages.
-include_patterns = ["*.md", "*.rst", "api/**", "gallery/*.rst", "docs/*.md", "docs/decisions/*.md", "bench/README.md", "bench/python/*.md", "python/README.md"]
+include_patterns = [
+    "*.md",
+    "*.rst",
+    "api/**",
+    "gallery/*.rst",
+    "docs/*.md",
+    "docs/decisions/*.md",
+    "bench/README.md",
+    "bench/python/*.md",
+    "python/README.md",
+]
 exclude_patterns = ["gallery/README.rst", "gallery/sg_execution_times.rst"]
 suppress_warnings = [
     "config.cache",  # sphinx_gallery_conf holds functions

@@ -9,10 +9,29 @@ import sys
 from pathlib import Path
 
 # In the order in which a reader meets them.
-HEADERS = (
-    "overlay region_set region_builder point options workspace error features layers check check_features repair hull "
-    "triangulate locator measure classics wkb wkt domain version"
-).split()
+HEADERS = [
+    "overlay",
+    "region_set",
+    "region_builder",
+    "point",
+    "options",
+    "workspace",
+    "error",
+    "features",
+    "layers",
+    "check",
+    "check_features",
+    "repair",
+    "hull",
+    "triangulate",
+    "locator",
+    "measure",
+    "classics",
+    "wkb",
+    "wkt",
+    "domain",
+    "version",
+]
 
 
 def printed(*command: str) -> str:

@@ -2,8 +2,8 @@
 How often places burnt
 ======================
 
-Satellites see a fire again and again. A month of their detections is a pile of polygons that overlap, up to hundreds of
-them in one place. ``oblast.depth`` counts in one pass how many of them cover each place.
+Satellites see a fire again and again. A month of their detections is a pile of polygons that overlap, up to hundreds
+of them in one place. ``oblast.depth`` counts in one pass how many of them cover each place.
 """
 
 # %%
@@ -30,9 +30,7 @@ with oblast.statistics() as s:
     counted = oblast.depth(fires.geometry)
 print(f"{s.intersections} intersections, {s.rounds} rounds, {sum(s.seconds.values()):.2f} s")
 
-depth = gpd.GeoDataFrame(
-    {"times": counted.depth}, geometry=counted.regions.to_shapely(), crs=fires.crs
-)
+depth = gpd.GeoDataFrame({"times": counted.depth}, geometry=counted.regions.to_shapely(), crs=fires.crs)
 depth["parts"] = shapely.get_num_geometries(depth.geometry)
 print(depth[["times", "parts"]].head(5).to_string(index=False))
 

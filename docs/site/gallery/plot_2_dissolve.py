@@ -2,8 +2,8 @@
 Communes to departements
 ========================
 
-Communes share their borders. Uniting them by departement removes the inner borders, and nothing else: what remains are the
-same vertices, bit for bit.
+Communes share their borders. Uniting them by departement removes the inner borders, and nothing else: what remains
+are the same vertices, bit for bit.
 """
 
 import os

@@ -2,9 +2,9 @@
 Districts cut by counties
 =========================
 
-The same land at two resolutions: districts of Germany with 45,827 vertices, and counties with 40,433. Their borders follow
-each other and cross thousands of times, so an overlay is full of slivers. This is what makes overlays slow, and what makes
-them fail.
+The same land at two resolutions: districts of Germany with 45,827 vertices, and counties with 40,433. Their borders
+follow each other and cross thousands of times, so an overlay is full of slivers. This is what makes overlays slow,
+and what makes them fail.
 """
 
 import os
@@ -35,8 +35,8 @@ print(f"oblast    {middle - begin:6.2f} s  {len(ours)} rows")
 print(f"geopandas {end - middle:6.2f} s  {len(theirs)} rows")
 
 # %%
-# Do the rows cover the districts, no more and no less? The difference is of the order of rounding. And each row is proved
-# valid. (Rows may overlap: the counties of this layer do, in 0.06 square degrees.)
+# Do the rows cover the districts, no more and no less? The difference is of the order of rounding. And each row is
+# proved valid. (Rows may overlap: the counties of this layer do, in 0.06 square degrees.)
 
 for name, rows in (("oblast", ours), ("geopandas", theirs)):
     differs = oblast.symmetric_difference(rows.geometry, districts.geometry)

@@ -2,9 +2,9 @@
 A union that GEOS gets wrong
 ============================
 
-Two quadrilaterals lie side by side. Their shared border is not quite the same in both: two of the corners differ in the last
-bits. GEOS 3.14 unites them to one of the two, without an error
-(`shapely issue 2368 <https://github.com/shapely/shapely/issues/2368>`_).
+Two quadrilaterals lie side by side. Their shared border is not quite the same in both: two of the corners differ in
+the last bits. GEOS 3.14 unites them to one of the two, without an error (`shapely issue 2368
+<https://github.com/shapely/shapely/issues/2368>`_).
 """
 
 import geopandas as gpd
@@ -51,5 +51,6 @@ for axis in axes:
 figure.tight_layout()
 
 # %%
-# GEOS rounds crossings while it decides, and snaps vertices if the pieces do not fit together; here one of the two polygons is
-# lost on the way. oblast decides by exact arithmetic which point lies on which side, and rounds a new vertex only at the end.
+# GEOS rounds crossings while it decides, and snaps vertices if the pieces do not fit together; here one of the two
+# polygons is lost on the way. oblast decides by exact arithmetic which point lies on which side, and rounds a new
+# vertex only at the end.

@@ -2,9 +2,9 @@
 A proof by check
 ================
 
-Is a result right? ``oblast.check`` does not trust the overlay that computed it. It proves by exact arithmetic that edges meet
-only at common ends, that rings are closed and turned as they should be, and that polygons do not overlap; or it names the first
-fault.
+Is a result right? ``oblast.check`` does not trust the overlay that computed it. It proves by exact arithmetic that
+edges meet only at common ends, that rings are closed and turned as they should be, and that polygons do not overlap;
+or it names the first fault.
 """
 
 import os
@@ -30,7 +30,8 @@ for i in faulty[:3]:
     print(subjects.name[i], "-", reports[i].kind, "at", reports[i].point)
 
 # %%
-# ``repair`` resolves each row by itself. It decides what is inside, and moves no vertex. The proof holds for all of them.
+# ``repair`` resolves each row by itself. It decides what is inside, and moves no vertex. The proof holds for all of
+# them.
 
 repaired = oblast.repair(subjects.geometry)
 print("now valid:", sum(bool(oblast.check(row)) for row in repaired), "of", len(repaired))
@@ -42,7 +43,8 @@ union = oblast.union_all(repaired)
 print(len(union.points), "vertices,", oblast.check(union, canonical=True).message)
 
 # %%
-# Now let somebody save it with five digits behind the point. It looks the same. The proof finds the first place that broke.
+# Now let somebody save it with five digits behind the point. It looks the same. The proof finds the first place that
+# broke.
 
 rounded = oblast.from_ragged(np.round(union.points, 5), union.ring_offsets, union.polygon_offsets)
 print(oblast.check(rounded).message)

@@ -2,9 +2,9 @@
 Millions of pairs
 =================
 
-Often one does not want the overlay of two layers, but of many pairs: each building with each parcel, each cell with each field.
-A loop in Python spends its time on the loop. ``oblast.overlay_pairs`` takes the numbers of all pairs, and makes all overlays
-in C++ on all cores.
+Often one does not want the overlay of two layers, but of many pairs: each building with each parcel, each cell with
+each field. A loop in Python spends its time on the loop. ``oblast.overlay_pairs`` takes the numbers of all pairs, and
+makes all overlays in C++ on all cores.
 """
 
 import os
