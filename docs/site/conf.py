@@ -102,5 +102,5 @@ html_theme_options = {
     "header_links_before_dropdown": 7,
     "pygments_light_style": "tango",
 }
-html_sidebars = {"index": [], "gis": [], "library": []}
+html_sidebars = {"index": [], "gis": [], "library": [], "docs/guarantees": [], "docs/methods": []}
 root = Path(__file__).parent
