@@ -1,4 +1,4 @@
-"""Jobs on layers with attributes; a job is a generator as in regions.py."""
+"""Jobs on layers with attributes; a job is a generator as one.py describes."""
 
 import os
 import warnings

@@ -1,4 +1,9 @@
-"""one.py JOB_TOOL FOLDER ROUNDS: runs a job, and prints its seconds by part, the best of the rounds, as JSON."""
+"""one.py JOB_TOOL FOLDER ROUNDS: runs a job, and prints its seconds by part, the best of the rounds, as JSON.
+
+A job is a generator. It yields when its input is loaded, when the input is in the tool's natural types, when the
+operation is done, and when the result is in arrays, or in geometries if the caller had geometries. Then it yields
+what to compare.
+"""
 
 import itertools
 import json
@@ -7,8 +12,9 @@ import resource
 import sys
 import time
 
+import fires
 import layers
-import regions
+import pairs
 
 
 def parts(job):
@@ -23,7 +29,7 @@ def parts(job):
 
 def main():
     name, folder, rounds = sys.argv[1], sys.argv[2], int(sys.argv[3])
-    job = getattr(regions, name, None) or getattr(layers, name)
+    job = next(getattr(module, name) for module in (fires, pairs, layers) if hasattr(module, name))
     best = None
     for _ in range(rounds):
         seconds, answer = parts(job(folder))

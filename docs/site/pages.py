@@ -43,7 +43,9 @@ def program_page(program: str) -> str:
     """One section a command: what --help prints."""
     top = printed(program, "--help")
     commands = re.findall(r"^  (\w+) {2,}\S", top.split("Commands", 1)[1], re.MULTILINE)
-    sections = [f"# Program: `oblast`\n\n```text\n{top.rstrip()}\n```\n"]
+    wide = "---\nhtml_theme.sidebar_secondary.remove: true\n---\n\n"  # help is 88 characters wide
+    links = " ".join(f"[{command}](#oblast-{command})" for command in commands if command != "help")
+    sections = [f"{wide}# Program: `oblast`\n\n{links}\n\n```text\n{top.rstrip()}\n```\n"]
     for command in commands:
         if command == "help":
             continue
