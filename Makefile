@@ -1,6 +1,6 @@
 # What a person types. Everything is done by CMake, CTest and the scripts in tools/.
 .DEFAULT_GOAL := help
-.PHONY: help install build demo test python package tiny golden sanitize thread format lint bench fuzz clean
+.PHONY: help install build demo test python docs package tiny golden sanitize thread format lint bench fuzz clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 12
@@ -16,12 +16,18 @@ build: install  ## the program, the library and the tests, in build/release
 demo:  ## the program alone is built; a month of fires is generated, united, checked and drawn into build/demo
 	@tools/demo
 
-test: build  ## every test, with totals
+test: build  ## every test, with totals; then those of the Python package, and geopandas' own against it
 	@tools/test release
+	@tools/install --python
+	@tools/python wheel test geopandas
 
 python:  ## the Python package: a wheel in build/python/dist, installed into build/python/venv, and its tests
 	@tools/install --python
 	@tools/python
+
+docs:  ## the documentation site, in build/docs/html
+	@tools/install --docs
+	@tools/docs
 
 golden: install  ## writes the golden digests anew: after a change of bytes that is meant (CONTRIBUTING.md)
 	@tools/golden --write

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, TypedDict, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,21 @@ __all__ = [
 ]
 
 How = Literal["intersection", "union", "difference", "symmetric_difference"]
+
+
+class OverlayOptions(TypedDict, total=False):
+    """What `overlay` may be told by name."""
+
+    fill_a: FillRule
+    fill_b: FillRule
+    engine: str
+    touching: bool
+    minimal: bool
+    threads: int | None
+    progress: Progress
+    workspace: Workspace | None
+    most_bytes: int
+
 
 _OPERATIONS = {"intersection": 0, "union": 1, "difference": 2, "symmetric_difference": 3}
 
@@ -111,52 +126,24 @@ def overlay(
         return Regions._of(_core.overlay(left._core, right._core, operation, settings))
 
 
-def intersection(
-    a: Operand,
-    b: Operand,
-    *,
-    threads: int | None = None,
-    progress: Progress = False,
-    workspace: Workspace | None = None,
-) -> Regions:
-    """Return what both operands cover: `overlay` with "intersection"."""
-    return overlay(a, b, "intersection", threads=threads, progress=progress, workspace=workspace)
+def intersection(a: Operand, b: Operand, **options: Unpack[OverlayOptions]) -> Regions:
+    """Return what both operands cover: `overlay` with "intersection" and the same options."""
+    return overlay(a, b, "intersection", **options)
 
 
-def union(
-    a: Operand,
-    b: Operand,
-    *,
-    threads: int | None = None,
-    progress: Progress = False,
-    workspace: Workspace | None = None,
-) -> Regions:
-    """Return what one of the operands covers: `overlay` with "union"."""
-    return overlay(a, b, "union", threads=threads, progress=progress, workspace=workspace)
+def union(a: Operand, b: Operand, **options: Unpack[OverlayOptions]) -> Regions:
+    """Return what one of the operands covers: `overlay` with "union" and the same options."""
+    return overlay(a, b, "union", **options)
 
 
-def difference(
-    a: Operand,
-    b: Operand,
-    *,
-    threads: int | None = None,
-    progress: Progress = False,
-    workspace: Workspace | None = None,
-) -> Regions:
-    """Return what only the first operand covers: `overlay` with "difference"."""
-    return overlay(a, b, "difference", threads=threads, progress=progress, workspace=workspace)
+def difference(a: Operand, b: Operand, **options: Unpack[OverlayOptions]) -> Regions:
+    """Return what only the first operand covers: `overlay` with "difference" and the same options."""
+    return overlay(a, b, "difference", **options)
 
 
-def symmetric_difference(
-    a: Operand,
-    b: Operand,
-    *,
-    threads: int | None = None,
-    progress: Progress = False,
-    workspace: Workspace | None = None,
-) -> Regions:
-    """Return what exactly one operand covers: `overlay` with "symmetric_difference"."""
-    return overlay(a, b, "symmetric_difference", threads=threads, progress=progress, workspace=workspace)
+def symmetric_difference(a: Operand, b: Operand, **options: Unpack[OverlayOptions]) -> Regions:
+    """Return what exactly one operand covers: `overlay` with "symmetric_difference" and the same options."""
+    return overlay(a, b, "symmetric_difference", **options)
 
 
 def union_all(

@@ -9,9 +9,12 @@ import numpy as np
 import pandas as pd
 import pytest
 import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import oblast
 import oblast.geopandas as og
+from oblast.geopandas._touching import touches_outside
 from shapes import squares
 
 HOWS = ["intersection", "union", "identity", "symmetric_difference", "difference"]
@@ -138,6 +141,20 @@ def test_clip_is_that_of_geopandas(mask: object, keep: bool) -> None:
     same(og.clip(A, mask, keep).sort_index(), geopandas.clip(A, mask, keep).sort_index())
     series = og.clip(A.geometry, mask, keep)
     assert series.area.sum() == pytest.approx(geopandas.clip(A.geometry, mask, keep).area.sum())
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(st.lists(st.tuples(*[st.integers(0, 4)] * 2), min_size=3, max_size=4), min_size=1, max_size=5))
+def test_rows_that_touch_the_mask_are_found_exactly(rings: list[list[tuple[int, int]]]) -> None:
+    """Small whole numbers, where GEOS is exact enough to be asked."""
+    polygons = [polygon for polygon in map(shapely.Polygon, rings) if polygon.is_valid and polygon.area > 0]
+    polygons.append(shapely.box(1, 1, 3, 3))
+    *rows, mask = (shapely.Polygon(shapely.get_coordinates(polygon)) for polygon in polygons)
+    expected = [
+        bool((shapely.get_dimensions(shapely.get_parts(shapely.intersection(row, mask))) < 2).any()) for row in rows
+    ]
+    found = touches_outside(oblast.from_shapely([*rows, shapely.Polygon()]), oblast.union_all(mask))
+    assert found.tolist() == [*expected, True]
 
 
 def test_clip_keeps_what_touches() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 import shapely
@@ -87,3 +89,62 @@ def test_points_are_located_as_geos_does(a: oblast.Regions, points: list[tuple[f
     united = oblast.union_all(a)
     expected = shapely.contains_xy(united.to_shapely()[0], np.array(points))
     assert oblast.Locator(united).contains(points).tolist() == expected.tolist()
+
+
+@SOME
+@given(layers())
+def test_depth_counts_every_row_once(a: oblast.Regions) -> None:
+    counted = oblast.depth(a)
+    assert oblast.check(oblast.union_all(counted.regions))
+    areas = np.array([row.area for row in counted.regions])
+    assert near(float((areas * counted.depth).sum()), sum(oblast.union_all(row).area for row in a))
+    for row, depth in zip(counted.regions, counted.depth, strict=True):
+        assert oblast.check(row) and near(row.area, oblast.union_all(row).area)
+        assert near(oblast.intersection(row, oblast.union_all(a)).area, row.area)
+        assert depth <= len(a)
+
+
+@SOME
+@given(layers(), st.data())
+def test_dissolving_groups_is_uniting_each(a: oblast.Regions, data: st.DataObject) -> None:
+    groups = np.array(data.draw(st.lists(st.integers(0, 2), min_size=len(a), max_size=len(a))))
+    united = oblast.union_all(a, by=groups)
+    for row, group in zip(united, np.unique(groups), strict=True):
+        assert near(row.area, oblast.union_all(a[groups == group]).area)
+        assert oblast.symmetric_difference(row, a[groups == group]).area < 1e-9
+    assert near(oblast.union_all(united).area, oblast.union_all(a).area)
+
+
+@SOME
+@given(layers(), layers())
+def test_pairs_are_overlays(a: oblast.Regions, b: oblast.Regions) -> None:
+    i, j = (side.ravel() for side in np.meshgrid(np.arange(len(a)), np.arange(len(b))))
+    for how in ("intersection", "union", "difference", "symmetric_difference"):
+        rows = oblast.overlay_pairs(a, b, i, j, how)
+        assert list(rows) == [oblast.overlay(a[x], b[y], how) for x, y in zip(i, j, strict=True)]
+
+
+@SOME
+@given(layers(), layers())
+def test_operands_change_places(a: oblast.Regions, b: oblast.Regions) -> None:
+    for how in ("intersection", "union", "symmetric_difference"):
+        assert oblast.overlay(a, b, how) == oblast.overlay(b, a, how)
+        assert oblast.overlay(a, b, how, threads=1) == oblast.overlay(a, b, how)
+
+
+@SOME
+@given(layers())
+def test_repair_is_done_once(a: oblast.Regions) -> None:
+    repaired = oblast.repair(a)
+    assert all(oblast.check(row, canonical=True) for row in repaired if row)
+    assert oblast.repair(repaired) == repaired
+    assert oblast.union_all(repaired) == oblast.union_all(a) or near(oblast.symmetric_difference(repaired, a).area, 0)
+
+
+@SOME
+@given(layers())
+def test_a_copy_by_pickle_is_equal(a: oblast.Regions) -> None:
+    united = oblast.union_all(a)
+    copy = pickle.loads(pickle.dumps(united))
+    assert copy == united and hash(copy) == hash(united)
+    assert copy.points.tobytes() == united.points.tobytes()

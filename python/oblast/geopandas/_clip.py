@@ -10,13 +10,12 @@ import shapely
 from geopandas import GeoDataFrame, GeoSeries
 
 from oblast._fallbacks import passed_on
+from oblast._overlay import union_all
 from oblast._rows import clip as clip_rows
 from oblast.geopandas._originals import originals
 from oblast.geopandas._ours import array_of, not_ours, pass_on, regions_of_column
 from oblast.geopandas._overlay import _boxes_meet, _warn_of_crs
-
-# Of the extent: what of a boundary lies nearer to the clipped row than this belongs to it. It only chooses who answers.
-_NEAR = 1e-9
+from oblast.geopandas._touching import touches_outside
 
 
 def clip(gdf: Any, mask: Any, keep_geom_type: bool = False, sort: bool = False) -> GeoDataFrame | GeoSeries:
@@ -83,20 +82,10 @@ def _remains(
     """Rows that meet the mask in lines or points, too: GEOS intersects them. Changes `clipped` there."""
     mask = shapely.union_all(window) if len(window) > 1 else window[0]
     shapely.prepare(mask)
-    candidates = shapely.intersects(mask, geometries) & ~shapely.contains_properly(mask, geometries)
-    rows = np.flatnonzero(candidates)
-    border = shapely.intersection(shapely.boundary(geometries[rows]), shapely.boundary(mask))
-    extent = shapely.bounds(geometries[rows])
-    near = _NEAR * np.abs(extent).max(axis=1, initial=0)
-    far = np.array(
-        [
-            not shapely.dwithin(shapely.points(shapely.get_coordinates(part)), whole, reach).all()
-            for part, whole, reach in zip(border, clipped[rows], near, strict=True)
-        ],
-        dtype=bool,
-    )
+    rows = np.flatnonzero(shapely.intersects(mask, geometries) & ~shapely.contains_properly(mask, geometries))
+    touching = touches_outside(regions_of_column(geometries[rows]), union_all(regions_of_column(window)))
+    rows = rows[touching]
     found = np.zeros(len(geometries), dtype=bool)
-    rows = rows[far | ~area[rows]]
     if len(rows):
         clipped[rows] = shapely.intersection(geometries[rows], mask)
         found[rows] = ~shapely.is_empty(clipped[rows])
