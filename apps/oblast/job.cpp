@@ -40,9 +40,7 @@ std::vector<io::Layer> read_operands(const Job& job, const JobArguments& argumen
     io::ReadOptions options = read_options(arguments.input, arguments.output.output);
     options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.threads = arguments.options.threads;
-    options.progress = [&](std::size_t done, std::size_t files) {
-      show(files == 0 ? 1 : static_cast<double>(done) / static_cast<double>(files));
-    };
+    options.progress = show;
     layers.push_back(io::read(job.operands[k], options));
   }
   return layers;
