@@ -185,6 +185,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   progress.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
   writing_options.crs_wkt = layers[0].crs_wkt;
+  writing_options.progress = [&](double share) { progress.show(Phase::writing, "writing", share); };
   io::write(arguments.output.output, result, writing_options);
   summary.seconds_write = writing.seconds();
 

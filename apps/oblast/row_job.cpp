@@ -161,6 +161,7 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPict
   const Stopwatch writing;
   io::WriteOptions options = write_options(arguments_.output);
   options.crs_wkt = crs_wkt_;
+  options.progress = [&](double share) { progress_.show(Phase::writing, "writing", share); };
   io::write_rows(arguments_.output.output, rows, columns.columns, options, notes_);
   summary_.seconds_write = writing.seconds();
   if (!arguments_.picture.empty()) {

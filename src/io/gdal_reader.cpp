@@ -19,6 +19,7 @@
 #include "io/formats.h"
 #include "io/gdal_geometry.h"
 #include "io/gdal_source.h"
+#include "io/geopackage_check.h"
 #include "io/layer_builder.h"
 #include "io/shapefile_check.h"
 
@@ -122,6 +123,7 @@ Layer read_with_gdal(const NamedSource& named, const ReadOptions& options, Attri
   const std::string& path = named.source.path;
   const File file{lower_extension(path) == ".shp", lower_extension(path) == ".fgb"};
   if (file.shapefile) check_shapefile(path);
+  if (lower_extension(path) == ".gpkg") check_geopackage(path);
   GdalSource source(named.source, named.name);
   Layer layer;
   layer.files.push_back(named.name);
@@ -131,8 +133,7 @@ Layer read_with_gdal(const NamedSource& named, const ReadOptions& options, Attri
   for (int f = 0; f < definition.GetFieldCount(); ++f) table.columns.push_back(column_of(*definition.GetFieldDefn(f)));
   source.set_condition(options.where);
   source.messages().clear();  // the file was opened in spite of these messages
-  read_layer(source, file, options, attributes == Attributes::keep ? &table : nullptr, layer,
-             named.progress);
+  read_layer(source, file, options, attributes == Attributes::keep ? &table : nullptr, layer, named.progress);
   name_columns(layer, table.columns);
   return layer;
 }

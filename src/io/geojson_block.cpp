@@ -213,8 +213,8 @@ class BlockReader {
   GeojsonBlock& block_;
   std::vector<Point> ring_;
   bool z_now_ = false, z_seen_ = false;  // heights in this feature, in any
-  std::vector<char> is_id_;  // by column
-  std::deque<bool> seen_;  // by column and kind
+  std::vector<char> is_id_;              // by column
+  std::deque<bool> seen_;                // by column and kind
 };
 
 }  // namespace

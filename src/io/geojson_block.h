@@ -30,8 +30,8 @@ struct PropertyValue {
 enum class IdPlace : std::uint8_t { none, feature, property };
 
 struct GeojsonBlock {
-  Layer layer;                   ///< features are counted from 0
-  std::vector<std::string> keys;  ///< of the properties of each feature, in this order
+  Layer layer;                        ///< features are counted from 0
+  std::vector<std::string> keys;      ///< of the properties of each feature, in this order
   std::vector<PropertyValue> values;  ///< by feature and key; empty if attributes are passed over
   std::string texts;
   IdPlace id_place = IdPlace::none;

@@ -59,8 +59,7 @@ bool read_blocks(const TextSource& text, const GeojsonText& cut, const std::stri
     } catch (const IoError&) {  // GDAL finds it again, with the number of the feature in the file
       good = false;
     }
-    if (named.progress)
-      named.progress(static_cast<double>(bytes += end - begin) / static_cast<double>(text.size()));
+    if (named.progress) named.progress(static_cast<double>(bytes += end - begin) / static_cast<double>(text.size()));
   });
   const auto differs = [&](const BlockWork& work) {
     return work.block.keys != blocks.front().block.keys || work.block.id_place != blocks.front().block.id_place;

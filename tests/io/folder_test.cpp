@@ -1,8 +1,8 @@
 // Many files as one operand: order, parallel reading, several layers, coordinate systems.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <algorithm>
+#include <filesystem>
 
 #include "io/crs.h"
 #include "io_support.h"

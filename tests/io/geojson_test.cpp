@@ -98,7 +98,8 @@ std::string collection(const std::string& features, const std::string& members =
   return R"({"type":"FeatureCollection",)" + members + R"("features":[)" + features + "]}";
 }
 
-std::string feature(const std::string& properties, const std::string& geometry = polygon, const std::string& more = "") {
+std::string feature(const std::string& properties, const std::string& geometry = polygon,
+                    const std::string& more = "") {
   return R"({"type":"Feature",)" + more + R"("properties":)" + properties + R"(,"geometry":)" + geometry + "}";
 }
 
@@ -163,7 +164,7 @@ TEST_F(Geojson, TypesOfColumns) {
 // Where GDAL's rules are many, the file is its.
 TEST_F(Geojson, GdalReadsWhatIsUnusual) {
   const std::vector<std::vector<std::string>> columns = {
-      {"[1,2]"},        {R"({"b":1})"}, {R"("x")", "1"},           {"1", R"("x")"},
+      {"[1,2]"},         {R"({"b":1})"},   {R"("x")", "1"},          {"1", R"("x")"},
       {"true", "\"x\""}, {"1.5", "\"x\""}, {"18446744073709551615"}, {"100000000000000000000000"},
       {R"("a\u0000b")"},
   };
