@@ -13,23 +13,26 @@ class Job:
     b: str
     mask: str  # for clip and erase
     by: str  # a column of a
-    faults: str  # a layer with invalid features, for check and repair: of layers.py, or of the real layers
+    faults: str  # for check and repair: of layers.py, or of the real layers, of which two have invalid features
 
 
 JOBS = {
-    "counties": Job("counties", "districts", "districts", "state", "germany-districts-high"),
-    "communes": Job("communes-metres", "grid", "window", "departement", "france-communes-hauts-de-france"),
+    "counties": Job("counties", "districts", "districts", "state", "russia-subjects"),
+    "communes": Job("communes-metres", "grid", "window", "departement", "brazil-states"),
     "parcels": Job("parcels", "zones", "zones", "block", "parcels-with-faults"),
 }
 
-# What of b a feature of a needs: GDAL's way to ask the spatial index in its SQLite dialect.
-NEAR = "b.ROWID IN (SELECT ROWID FROM SpatialIndex WHERE f_table_name = 'b' AND search_frame = a.geom)"
-WITHOUT_B = f"COALESCE(ST_Difference(a.geom, (SELECT ST_Union(b.geom) FROM b WHERE {NEAR})), a.geom)"
+# What of b a feature of a needs, by the spatial index of the GeoPackage.
+NEAR = ("b.fid IN (SELECT id FROM rtree_b_geom WHERE minx <= ST_MaxX(a.geom) AND maxx >= ST_MinX(a.geom) "
+        "AND miny <= ST_MaxY(a.geom) AND maxy >= ST_MinY(a.geom))")
+WITHOUT_B = (f"CASE WHEN EXISTS (SELECT 1 FROM b WHERE {NEAR} AND ST_Intersects(a.geom, b.geom)) THEN "
+             f"ST_Difference(a.geom, (SELECT ST_Union(b.geom) FROM b WHERE {NEAR})) ELSE a.geom END")
 
 
 def sql(text, source="{both}"):
-    return ["ogr2ogr", "-f", "GeoJSON", "-lco", "COORDINATE_PRECISION=17", "{out}", source, "-dialect", "SQLite",
-            "-sql", text]
+    """SQL of SQLite with the functions of Spatialite: that of the GeoPackage itself, or GDAL's dialect."""
+    dialect = [] if source in ("{both}", "{masked}") else ["-dialect", "SQLite"]
+    return ["ogr2ogr", "-f", "GeoJSON", "-lco", "COORDINATE_PRECISION=17", "{out}", source, *dialect, "-sql", text]
 
 
 def geopandas(code):
@@ -62,7 +65,7 @@ COMMANDS = {
     },
     "identity": {
         "oblast": ["overlay", "identity", "{a}", "{b}", "-o", "{out}"],
-        "ogr2ogr": sql(f"SELECT a.{{by}}, b.ROWID AS other, ST_CollectionExtract(ST_Intersection(a.geom, b.geom), 3) "
+        "ogr2ogr": sql(f"SELECT a.{{by}}, b.fid AS other, ST_CollectionExtract(ST_Intersection(a.geom, b.geom), 3) "
                        f"AS geom FROM a JOIN b ON {NEAR} AND ST_Intersects(a.geom, b.geom) "
                        f"UNION ALL SELECT a.{{by}}, NULL, {WITHOUT_B} FROM a"),
         "geopandas": geopandas("gpd.overlay(read('{a}'), read('{b}'), how='identity')"),
