@@ -54,6 +54,7 @@ Ranks ranks_of(const io::AttributeTable& table, std::size_t column) {
 
 Groups group_rows(const io::AttributeTable& table, const std::vector<std::size_t>& columns) {
   std::vector<Ranks> ranks;
+  ranks.reserve(columns.size());
   for (const std::size_t column : columns) ranks.push_back(ranks_of(table, column));
   const auto order = [&](std::uint32_t a, std::uint32_t b) {
     for (const Ranks& of_column : ranks)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -105,7 +106,11 @@ void draw(const JobPicture& job, const JobArguments& arguments) {
   }
   picture.result = job.result;
   const std::string& crs = job.layers[0]->crs_wkt.empty() ? job.layers.back()->crs_wkt : job.layers[0]->crs_wkt;
-  if (crs.rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
+  // Coordinates beyond the poles are no longitudes and latitudes, whatever the file says; there is a warning then.
+  const bool in_degrees =
+      crs.rfind("GEOG", 0) == 0 && std::all_of(job.layers.begin(), job.layers.end(),
+                                               [](const io::Layer* layer) { return layer->report.beyond_pole == 0; });
+  if (in_degrees) picture.projection = io::MapProjection::longitude_latitude;
   picture.label_result = job.operation;
   picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
                       : fmt::format("{} of {}", job.operation, picture.label_a);
