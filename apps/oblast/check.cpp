@@ -72,10 +72,12 @@ int run(Arguments arguments, bool json) {
   if ((arguments.as_rows || regions) && !arguments.features.faults.empty())
     throw CallError(
         "--faults goes with the check of features or of a coverage; --rows and --regions stop at the first fault");
-  if (arguments.as_rows) return check_rows(arguments.features.file, arguments.regions.convention, json);
-  arguments.regions.file = arguments.features.file;
+  if (arguments.as_rows)
+    return check_rows(arguments.features.input, arguments.regions.convention, arguments.features.quiet, json);
+  arguments.regions.input = arguments.features.input;
+  arguments.regions.quiet = arguments.features.quiet;
   if (regions) return check_regions(arguments.regions, json);
-  check_call(arguments.features.file, arguments.regions.against);
+  check_call(arguments.features.input.file, arguments.regions.against);
   arguments.features.threads = arguments.regions.against.threads;
   arguments.features.json = json;
   return check_layer(arguments.features);
@@ -87,9 +89,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("check", "Find all faults of features, of a coverage, or of a result.");
   command->footer(footer);
-  command->add_option("FILE", arguments->features.file, "a vector file, a folder, or `-` for WKT on standard input")
-      ->required()
-      ->type_name("");
+  add_check_input(*command, arguments->features.input);
   command->add_flag("--coverage", arguments->features.coverage,
                     "also find overlaps, gaps and vertices that do not match between features");
   CLI::Option* faults = command
@@ -107,6 +107,7 @@ void add_check(CLI::App& program, Invocation& invocation) {
           "with --regions or --rows: how contours may touch themselves, ogc (default) or leonov-nikitin")
       ->type_name("CONVENTION");
   add_against_options(*command, arguments->regions.against);
+  command->add_flag("-q,--quiet", arguments->features.quiet, "print no progress");
   command->add_flag("--json", invocation.json, "print all findings as one JSON object on standard output");
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };

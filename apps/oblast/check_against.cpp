@@ -39,8 +39,11 @@ void check_domain(const io::Layer& layer) {
   }
 }
 
-io::Layer read_operand(const std::vector<std::string>& paths, const io::Layer& result, int threads) {
+io::Layer read_operand(const std::vector<std::string>& paths, const io::Layer& result, int threads,
+                       const InputArguments& input) {
   io::ReadOptions options;
+  options.assume_crs = input.assume_crs;
+  options.target_crs = input.target_crs;
   options.threads = threads;
   io::Layer layer = io::read(paths, options);
   check_domain(layer);
@@ -152,14 +155,14 @@ void check_call(const std::string& file, const AgainstArguments& arguments) {
   if (from_standard_input + (file == "-" ? 1 : 0) > 1) throw CallError("standard input (-) can be named only once");
 }
 
-AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments) {
+AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments, const InputArguments& input) {
   const bool overlay = is_overlay(arguments);
   const Operation operation = arguments.operation.value_or(Operation::unite);
   std::vector<std::string> first = arguments.operands;
   if (overlay) first.resize(1);
-  const io::Layer a = read_operand(first, result, arguments.threads);
+  const io::Layer a = read_operand(first, result, arguments.threads, input);
   io::Layer b;
-  if (overlay) b = read_operand({arguments.operands[1]}, result, arguments.threads);
+  if (overlay) b = read_operand({arguments.operands[1]}, result, arguments.threads, input);
 
   verify::OracleOptions options;
   options.fill_a = arguments.fill;

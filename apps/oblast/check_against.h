@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/layer.h"
+#include "oblast/inputs.h"
 
 namespace oblast::app {
 
@@ -37,6 +38,7 @@ struct AgainstFindings {
 };
 
 /// Checks `result` with verify/oracle.h. REQUIRES: check_call has passed, and the result is closed. Throws io::IoError.
-AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments);
+/// `input`: the coordinate systems that are assumed of the operands, and to which they are transformed.
+AgainstFindings check_against(const io::Layer& result, const AgainstArguments& arguments, const InputArguments& input);
 
 }  // namespace oblast::app

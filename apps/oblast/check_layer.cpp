@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "io/formats.h"
 #include "io/read.h"
 #include "io/rows.h"
 #include "io/write_points.h"
@@ -19,14 +18,6 @@ namespace oblast::app {
 
 namespace {
 
-/// Records of shapefiles have no parts, and their rings no roles.
-std::vector<std::uint32_t> features_without_roles(const io::Layer& layer) {
-  std::vector<std::uint32_t> features;
-  for (std::uint32_t f = 0; f < layer.features.size(); ++f)
-    if (io::lower_extension(layer.files[layer.features[f].file]) == ".shp") features.push_back(f);
-  return features;
-}
-
 /// Rings of shapefiles are reversed on reading, so the last vertex of the file is the second one here.
 void turn_open_rings(const io::Layer& layer, std::span<const std::uint32_t> turned, std::vector<FeatureFault>& faults) {
   for (FeatureFault& fault : faults) {
@@ -38,9 +29,14 @@ void turn_open_rings(const io::Layer& layer, std::span<const std::uint32_t> turn
 }
 
 std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView& features,
-                                      const LayerCheckArguments& arguments) {
+                                      const LayerCheckArguments& arguments, JobProgress& progress) {
+  const double by_itself = arguments.coverage ? 0.3 : 1;  // the share of the first check, roughly
   FeatureCheckOptions options;
   options.threads = arguments.threads;
+  options.progress = [&](Stage, double fraction) {
+    progress.show(Phase::computing, "looking at each feature", by_itself * fraction);
+    return true;
+  };
   const std::vector<std::uint32_t> without_roles = features_without_roles(layer);
   options.open_contours = layer.open_contours;
   options.features_without_roles = without_roles;
@@ -49,6 +45,10 @@ std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView&
   if (arguments.coverage) {
     CallOptions coverage_options;
     coverage_options.threads = arguments.threads;
+    coverage_options.progress = [&](Stage, double fraction) {
+      progress.show(Phase::computing, "looking between the features", by_itself + (1 - by_itself) * fraction);
+      return true;
+    };
     const std::vector<FeatureFault> between = check_coverage(features, coverage_options);
     faults.insert(faults.end(), between.begin(), between.end());
   }
@@ -67,7 +67,8 @@ void write_faults(const FaultReport& report, const io::Layer& layer, const Layer
 }  // namespace
 
 int check_layer(const LayerCheckArguments& arguments) {
-  if (arguments.faults == arguments.file) throw CallError("--faults names the file that is checked; name another one");
+  const std::string& path = arguments.input.file;
+  if (arguments.faults == path) throw CallError("--faults names the file that is checked; name another one");
   io::WriteOptions write_options;
   write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
   if (!arguments.faults.empty()) io::check_writable(arguments.faults, write_options);
@@ -75,15 +76,22 @@ int check_layer(const LayerCheckArguments& arguments) {
   options.entries = io::FeatureEntries::all;
   options.vertices = io::RingVertices::all;
   options.threads = arguments.threads;
-  const io::Layer layer = io::read({&arguments.file, 1}, options);
-  if (const auto code = say_no_polygons(arguments.file, layer, arguments.json)) return *code;
+  JobProgress progress(!arguments.quiet, false);
+  const io::Layer layer = read_to_check(arguments.input, options, progress);
+  if (layer.regions.contour_ends.empty()) progress.clear();
+  if (const auto code = say_no_polygons(path, layer, arguments.json)) return *code;
   const std::vector<std::uint32_t> ends = io::feature_ends(layer);
   const FeatureView features{layer.regions, ends};
-  const FaultReport report(layer, features, find_faults(layer, features, arguments));
-  if (!arguments.faults.empty()) write_faults(report, layer, arguments);
+  const FaultReport report(layer, features, find_faults(layer, features, arguments, progress));
+  if (!arguments.faults.empty()) {
+    progress.show(Phase::writing, "writing", 0);
+    write_faults(report, layer, arguments);
+  }
+  progress.clear();
   if (arguments.json) {
-    fmt::print("{}\n", report.to_json(arguments.file, arguments.coverage)
-                           .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    fmt::print(
+        "{}\n",
+        report.to_json(path, arguments.coverage).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else {
     fmt::print("{}", report.to_text(arguments.coverage));
     if (!arguments.faults.empty() && arguments.faults != "-")

@@ -3,15 +3,18 @@
 
 #include <string>
 
+#include "oblast/check_input.h"
+
 namespace oblast::app {
 
 struct LayerCheckArguments {
-  std::string file;
+  CheckInput input;
   bool coverage = false;
   std::string faults;  ///< a point layer to write; empty: none
   bool overwrite = false;
   int threads = 0;
   bool json = false;
+  bool quiet = false;
 };
 
 /// Prints the findings. Returns an exit code.

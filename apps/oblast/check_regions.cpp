@@ -16,11 +16,14 @@
 namespace oblast::app {
 
 int check_regions(const RegionCheckArguments& arguments, bool json) {
-  check_call(arguments.file, arguments.against);
-  const std::vector<std::string> paths{arguments.file};
-  const io::Layer layer = io::read(paths);
+  const std::string& path = arguments.input.file;
+  check_call(path, arguments.against);
+  JobProgress progress(!arguments.quiet, false);
+  const io::Layer layer = read_to_check(arguments.input, {}, progress);
+  if (layer.regions.contour_ends.empty()) progress.clear();
   if (!lines_and_points(layer.report).empty())
-    if (const auto code = say_no_polygons(arguments.file, layer, json)) return *code;
+    if (const auto code = say_no_polygons(path, layer, json)) return *code;
+  progress.show(Phase::computing, "proving", 0);
   const RegionView regions = layer.regions;
   std::optional<verify::Fault> fault = verify::check_closed(regions, arguments.convention);
   const bool valid = !fault;
@@ -32,9 +35,11 @@ int check_regions(const RegionCheckArguments& arguments, bool json) {
   }
   const std::string note = mended(layer.report);
   std::optional<AgainstFindings> findings;
-  if (!fault && !arguments.against.operands.empty()) findings = check_against(layer, arguments.against);
+  if (!fault && !arguments.against.operands.empty())
+    findings = check_against(layer, arguments.against, arguments.input.input);
+  progress.clear();
   if (json) {
-    nlohmann::ordered_json object{{"file", arguments.file},
+    nlohmann::ordered_json object{{"file", path},
                                   {"valid", valid},
                                   {"polygons", regions.polygon_count()},
                                   {"contours", regions.contour_count()},
@@ -46,7 +51,7 @@ int check_regions(const RegionCheckArguments& arguments, bool json) {
     fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (fault) {
     fmt::print("{}: {}\n  at {}\n", valid ? "not in canonical order" : "not a valid region set", what,
-               place.empty() ? arguments.file : place);
+               place.empty() ? path : place);
   } else {
     fmt::print("{}: {}, {}, {}\n", arguments.canonical ? "valid region set in canonical order" : "valid region set",
                counted(regions.polygon_count(), "polygon"), counted(regions.contour_count(), "contour"),

@@ -6,14 +6,16 @@
 #include <string>
 
 #include "oblast/check_against.h"
+#include "oblast/check_input.h"
 
 namespace oblast::app {
 
 struct RegionCheckArguments {
-  std::string file;
+  CheckInput input;
   bool canonical = false;
   ContourConvention convention = ContourConvention::ogc;
   AgainstArguments against;
+  bool quiet = false;
 };
 
 /// Prints the first fault, or that there is none. Returns an exit code.

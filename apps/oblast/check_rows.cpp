@@ -42,12 +42,11 @@ io::Layer split_records(io::Layer layer) {
   return layer;
 }
 
-io::Layer read(const std::string& file) {
-  const std::vector<std::string> paths{file};
+io::Layer read(const CheckInput& input, JobProgress& progress) {
   io::ReadOptions options;
   options.entries = io::FeatureEntries::all;
-  io::Layer layer = io::read(paths, options);
-  return io::lower_extension(file) == ".shp" ? split_records(std::move(layer)) : layer;
+  io::Layer layer = read_to_check(input, options, progress);
+  return io::lower_extension(input.file) == ".shp" ? split_records(std::move(layer)) : layer;
 }
 
 }  // namespace
@@ -60,13 +59,18 @@ std::string mended(const io::ReadReport& report) {
   return {};
 }
 
-int check_rows(const std::string& file, ContourConvention convention, bool json) {
-  const io::Layer layer = read(file);
+int check_rows(const CheckInput& input, ContourConvention convention, bool quiet, bool json) {
+  const std::string& file = input.file;
+  JobProgress progress(!quiet, false);
+  const io::Layer layer = read(input, progress);
+  if (layer.regions.contour_ends.empty()) progress.clear();
   if (!lines_and_points(layer.report).empty())
     if (const auto code = say_no_polygons(file, layer, json)) return *code;
+  progress.show(Phase::computing, "proving", 0);
   const std::vector<std::uint32_t> ends = io::feature_ends(layer);
   const FeatureView rows{layer.regions, ends};
   const std::optional<verify::Fault> fault = verify::check_rows(rows, convention);
+  progress.clear();
   const std::string note = mended(layer.report);
   std::string place;
   if (fault) place = io::describe(layer, fault->place);

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "io/layer.h"
+#include "oblast/check_input.h"
 
 namespace oblast::app {
 
 /// Prints the finding. Returns an exit code.
-int check_rows(const std::string& file, ContourConvention convention, bool json);
+int check_rows(const CheckInput& input, ContourConvention convention, bool quiet, bool json);
 
 /// Reading repairs some faults, so a check cannot see them. This text names them; empty: none.
 std::string mended(const io::ReadReport& report);

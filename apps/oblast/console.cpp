@@ -13,9 +13,8 @@ namespace oblast::app {
 
 namespace {
 
-// What a phase takes of a job, roughly: text is slow to read, and a GeoPackage to write. A folder of shapefiles is read
-// faster, and then the bar begins with a leap.
-constexpr double weights[] = {4, 2, 3, 1};  // by Phase
+// What a phase takes of a job, roughly.
+constexpr double weights[] = {2, 4, 3, 1};  // by Phase
 
 constexpr int bar_length = 24;
 constexpr double first_estimate = 1;  // seconds: before, the time left would be a guess

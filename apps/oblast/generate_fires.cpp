@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/layer.h"
+#include "io/leftovers.h"
 #include "io/write.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
@@ -58,13 +59,17 @@ int parse_month(std::string word) {
 
 bool is_generated(const fs::path& file) { return file.filename().string().rfind("fires-2011-", 0) == 0; }
 
-// The folder may exist if it is empty, or if its generated files may be replaced.
+constexpr const char* stage_name = "fires";
+
+// What a killed run has left is removed. The folder may exist if it is empty, or if its generated files may be
+// replaced.
 void check_folder(const Arguments& arguments) {
   std::error_code error;
   const fs::path folder = arguments.folder;
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error))
     throw io::IoError(arguments.folder + " exists and is not a folder; choose another name");
+  io::remove_leftovers(folder, stage_name);
   if (!fs::is_empty(folder, error) && !arguments.overwrite) {
     throw io::IoError("the folder " + arguments.folder +
                       " is not empty (--overwrite replaces the generated files in it)");
@@ -76,10 +81,12 @@ class Stage {
  public:
   explicit Stage(const fs::path& target) : target_(target) {
     fs::create_directories(target_);
-    path_ = target_ / (".writing-" + std::to_string(::getpid()));
+    path_ = target_ / fmt::format(".{}.writing-{}", stage_name, io::stage_suffix());
     fs::create_directory(path_);
+    lock_ = io::lock_stage(path_.string());
   }
   ~Stage() {
+    if (lock_ >= 0) ::close(lock_);
     std::error_code ignored;
     fs::remove_all(path_, ignored);
     fs::remove(target_, ignored);  // removes it only if it is empty
@@ -99,6 +106,7 @@ class Stage {
 
  private:
   fs::path target_, path_;
+  int lock_ = -1;
 };
 
 void write_passes(const std::vector<FirePass>& passes, const fs::path& folder, ProgressLine& progress) {

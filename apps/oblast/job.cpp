@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -40,9 +41,7 @@ std::vector<io::Layer> read_operands(const Job& job, const JobArguments& argumen
     io::ReadOptions options = read_options(arguments.input, arguments.output.output);
     options.other = arguments.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.threads = arguments.options.threads;
-    options.progress = [&](std::size_t done, std::size_t files) {
-      show(files == 0 ? 1 : static_cast<double>(done) / static_cast<double>(files));
-    };
+    options.progress = show;
     layers.push_back(io::read(job.operands[k], options));
   }
   return layers;
@@ -107,7 +106,11 @@ void draw(const JobPicture& job, const JobArguments& arguments) {
   }
   picture.result = job.result;
   const std::string& crs = job.layers[0]->crs_wkt.empty() ? job.layers.back()->crs_wkt : job.layers[0]->crs_wkt;
-  if (crs.rfind("GEOG", 0) == 0) picture.projection = io::MapProjection::longitude_latitude;
+  // Coordinates beyond the poles are no longitudes and latitudes, whatever the file says; there is a warning then.
+  const bool in_degrees =
+      crs.rfind("GEOG", 0) == 0 && std::all_of(job.layers.begin(), job.layers.end(),
+                                               [](const io::Layer* layer) { return layer->report.beyond_pole == 0; });
+  if (in_degrees) picture.projection = io::MapProjection::longitude_latitude;
   picture.label_result = job.operation;
   picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
                       : fmt::format("{} of {}", job.operation, picture.label_a);
@@ -187,6 +190,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
   progress.show(Phase::writing, "writing", 0);
   const Stopwatch writing;
   writing_options.crs_wkt = layers[0].crs_wkt;
+  writing_options.progress = [&](double share) { progress.show(Phase::writing, "writing", share); };
   io::write(arguments.output.output, result, writing_options);
   summary.seconds_write = writing.seconds();
 

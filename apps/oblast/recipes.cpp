@@ -43,6 +43,17 @@ Which features they are: column `sources` of the rows whose `count` is 2 or more
 
     oblast partition fields.gpkg -o parts.gpkg
 
+## Find the faults of a layer, and repair them
+
+All faults of the communes, with the overlaps and gaps between them, as points:
+
+    oblast check communes.gpkg --coverage --faults faults.gpkg
+
+Overlaps go to the larger field, and gaps of less than 5 m2 are closed. Rows and columns
+stay as they are:
+
+    oblast repair fields.gpkg --coverage --overlaps largest --gaps-below 5 -o clean.gpkg
+
 ## What changed between two dates
 
 Each place with its old and its new use, in the columns `use_1` and `use_2`. They are null

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/formats.h"
+#include "oblast/check_input.h"
 #include "oblast/repair_report.h"
 #include "oblast/row_job.h"
 
@@ -51,14 +51,6 @@ void count(const FeatureView& before, const FeatureSet& after, Statistics& stati
   statistics.output_polygons = after.regions.polygon_ends.size();
   statistics.output_contours = after.regions.contour_ends.size();
   statistics.output_vertices = after.regions.points.size();
-}
-
-/// The rings of shapefiles have no roles in the file.
-std::vector<std::uint32_t> features_without_roles(const io::Layer& layer) {
-  std::vector<std::uint32_t> features;
-  for (std::uint32_t f = 0; f < layer.features.size(); ++f)
-    if (io::lower_extension(layer.files[layer.features[f].file]) == ".shp") features.push_back(f);
-  return features;
 }
 
 /// Repairs; what was changed goes into the report.

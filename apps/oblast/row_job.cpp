@@ -80,9 +80,7 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
     options.other = arguments_.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
     options.where = input.where.value_or(row_arguments_.where);
     options.threads = arguments_.options.threads;
-    options.progress = [&](std::size_t done, std::size_t files) {
-      show(static_cast<double>(done) / static_cast<double>(std::max(files, done)));
-    };
+    options.progress = show;
     layers_.push_back(io::read_rows(input.paths, options, notes_));
     const io::Layer& layer = layers_.back().layer;
     append(notes_, reading_notes(input.label, layer));
@@ -163,6 +161,7 @@ int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPict
   const Stopwatch writing;
   io::WriteOptions options = write_options(arguments_.output);
   options.crs_wkt = crs_wkt_;
+  options.progress = [&](double share) { progress_.show(Phase::writing, "writing", share); };
   io::write_rows(arguments_.output.output, rows, columns.columns, options, notes_);
   summary_.seconds_write = writing.seconds();
   if (!arguments_.picture.empty()) {

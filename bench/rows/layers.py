@@ -1,8 +1,9 @@
-"""layers.py PROGRAM SHARED FOLDER: makes the layers of bench/rows/run, as GeoJSON. Layers that exist are kept."""
+"""layers.py PROGRAM SHARED FOLDER [NAME...]: makes layers, as GeoJSON, for bench/rows and bench/program.
+
+NAME is districts, communes, fires or parcels: these and the layers that belong to them. Layers that exist are kept."""
 
 import subprocess
 import sys
-import warnings
 from pathlib import Path
 
 import geopandas
@@ -12,15 +13,13 @@ import shapely
 
 
 def write(frame, path):
-    # Coordinates keep their bits: RFC 7946 writers round them.
-    with warnings.catch_warnings():  # a plane without a coordinate system is meant
-        warnings.simplefilter("ignore")
-        frame.to_file(path, driver="GeoJSON", COORDINATE_PRECISION=17, engine="pyogrio")
+    # Coordinates keep their bits, in the fewest digits: GDAL's writer would round them, or write twenty digits.
+    path.write_text(frame.to_json(drop_id=True))
 
 
 def germany(shared, folder):
     for name, source, columns in (("districts", "germany-districts-high", {"NAME_2": "district"}),
-                                  ("counties", "germany-counties-medium", {"NAME_3": "county"})):
+                                  ("counties", "germany-counties-medium", {"NAME_3": "county", "NAME_1": "state"})):
         frame = geopandas.read_file(shared / "realworld" / f"{source}.geojson").rename(columns=columns)
         frame = frame[[*columns.values(), "geometry"]]
         frame.geometry = shapely.make_valid(frame.geometry.values)  # the peers refuse invalid features
@@ -36,7 +35,7 @@ def communes(shared, folder):
     both = pandas.concat(parts, ignore_index=True)
     both.geometry = shapely.make_valid(both.geometry.values)
     write(both, folder / "communes.geojson")
-    metres = both[both["region"] == "hauts-de-france"][["code", "geometry"]].to_crs(2154)
+    metres = both[both["region"] == "hauts-de-france"][["code", "departement", "geometry"]].to_crs(2154)
     metres.geometry = shapely.make_valid(metres.geometry.values)
     metres = metres.set_crs(None, allow_override=True)
     write(metres, folder / "communes-metres.geojson")
@@ -44,6 +43,9 @@ def communes(shared, folder):
     x, y = (c.ravel() for c in np.meshgrid(np.arange(low_x, high_x, 1000), np.arange(low_y, high_y, 1000)))
     write(geopandas.GeoDataFrame({"cell": np.arange(len(x))}, geometry=shapely.box(x, y, x + 1000, y + 1000)),
           folder / "grid.geojson")
+    middle = shapely.Point((low_x + high_x) / 2, (low_y + high_y) / 2)
+    write(geopandas.GeoDataFrame({"window": [1]}, geometry=[middle.buffer(40_000, quad_segs=64)]),
+          folder / "window.geojson")
 
 
 def fires(oblast, folder):
@@ -69,9 +71,12 @@ def parcels(folder):
     corners += random.uniform(-0.4, 0.4, corners.shape)
     rings = np.stack([corners[:-1, :-1], corners[:-1, 1:], corners[1:, 1:], corners[1:, :-1], corners[:-1, :-1]], axis=2)
     shapes = shapely.polygons(rings.reshape(-1, 5, 2) * 100)
+    number = np.arange(len(shapes))
+    columns_of_parcels = {"parcel": number, "block": number // 1000}
+    write(geopandas.GeoDataFrame(columns_of_parcels, geometry=shapes), folder / "parcels-with-faults.geojson")
     valid = shapely.is_valid(shapes)
     shapes[~valid] = shapely.convex_hull(shapes[~valid])
-    write(geopandas.GeoDataFrame({"parcel": np.arange(len(shapes))}, geometry=shapes), folder / "parcels.geojson")
+    write(geopandas.GeoDataFrame(columns_of_parcels, geometry=shapes), folder / "parcels.geojson")
     count, vertices = 20_000, 24
     centres = random.uniform(0, 1, (count, 1, 2)) * [columns, rows]
     angles = np.sort(random.uniform(0, 2 * np.pi, (count, vertices)), axis=1)
@@ -82,15 +87,15 @@ def parcels(folder):
     write(geopandas.GeoDataFrame({"zone": np.arange(count)}, geometry=zones), folder / "zones.geojson")
 
 
-def make(oblast, shared, folder):
+def make(oblast, shared, folder, names=()):
     folder.mkdir(parents=True, exist_ok=True)
     makers = {"districts": lambda: germany(shared, folder), "communes": lambda: communes(shared, folder),
               "fires": lambda: fires(oblast, folder), "parcels": lambda: parcels(folder)}
     for first, maker in makers.items():
-        if not (folder / f"{first}.geojson").exists():
+        if first in (names or makers) and not (folder / f"{first}.geojson").exists():
             print(f"making {first}", flush=True)
             maker()
 
 
 if __name__ == "__main__":
-    make(sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]))
+    make(sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:])

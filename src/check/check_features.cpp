@@ -8,15 +8,15 @@
 #include "base/public_call.h"
 #include "base/tuning.h"
 #include "check/feature_form.h"
-#include "check/feature_meetings.h"
-#include "check/feature_nesting.h"
 #include "check/feature_rings.h"
+#include "check/valid_feature.h"
 
 namespace oblast {
 using namespace internal;
 namespace {
 
 using checking::FeatureRings;
+using checking::RingRoles;
 
 bool is_listed(std::span<const std::uint32_t> sorted, std::uint32_t i) {
   return std::binary_search(sorted.begin(), sorted.end(), i);
@@ -24,14 +24,8 @@ bool is_listed(std::span<const std::uint32_t> sorted, std::uint32_t i) {
 
 void check_feature(const FeatureView& features, std::uint32_t f, const FeatureCheckOptions& options,
                    FeatureRings& rings, std::vector<FeatureFault>& faults) {
-  checking::collect_rings({features, f}, rings, faults);
-  if (rings.size() > 1 && is_listed(options.features_without_roles, f)) {
-    std::vector<FeatureFault> of_no_role;
-    checking::find_feature_meetings(rings, of_no_role);
-    checking::give_roles(rings, checking::nest_rings(rings));
-  }
-  Array<checking::RingTouch> touches = checking::find_feature_meetings(rings, faults);
-  checking::find_bad_nesting(rings, checking::nest_rings(rings), std::move(touches), faults);
+  const bool without_roles = is_listed(options.features_without_roles, f);
+  checking::find_feature_faults({features, f}, without_roles ? RingRoles::none : RingRoles::given, rings, faults);
 }
 
 std::size_t vertices_of(const FeatureView& features, std::uint32_t f) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 
 #include "io/attribute_data.h"
@@ -139,6 +140,11 @@ std::weak_ordering AttributeTable::compare(std::size_t column, std::size_t row_a
     return order_of_numbers(a.feature->GetFieldAsDouble(a.index), b.feature->GetFieldAsDouble(b.index));
   if (type == ColumnType::date || type == ColumnType::time || type == ColumnType::date_time)
     return order(time_of(*a.feature->GetRawFieldRef(a.index)), time_of(*b.feature->GetRawFieldRef(b.index)));
+  const auto is_text = [](const Data::Field& f) { return f.feature->GetFieldDefnRef(f.index)->GetType() == OFTString; };
+  if (is_text(a) && is_text(b)) {  // without copies
+    const auto text = [](const Data::Field& f) { return std::string_view(f.feature->GetRawFieldRef(f.index)->String); };
+    return order(text(a), text(b));
+  }
   return order(field_text(*a.feature, a.index), field_text(*b.feature, b.index));
 }
 

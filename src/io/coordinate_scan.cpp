@@ -50,6 +50,13 @@ void CoordinateScan::end_polygon() {
   across_now_ = false;
 }
 
+void CoordinateScan::add(const CoordinateScan& other) {
+  for (const double x : {other.x_.least, other.x_.most}) x_.add(x);
+  for (const double y : {other.y_.least, other.y_.most}) y_.add(y);
+  beyond_pole_ += other.beyond_pole_;
+  across_ += other.across_;
+}
+
 bool CoordinateScan::looks_swapped() const {
   const auto is_latitude = [&](const Range& range) { return range.least >= -quarter_ && range.most <= quarter_; };
   if (x_.least > x_.most) return false;

@@ -23,6 +23,8 @@ class CoordinateScan {
     if (quarter_ > 0) scan(ring);
   }
   void end_polygon();
+  /// Adds what the scan of another part of the same file has seen.
+  void add(const CoordinateScan& other);
   void report_to(ReadReport& report) const;
 
  private:

@@ -19,6 +19,7 @@
 #include "io/formats.h"
 #include "io/gdal_geometry.h"
 #include "io/gdal_source.h"
+#include "io/geopackage_check.h"
 #include "io/layer_builder.h"
 #include "io/shapefile_check.h"
 
@@ -53,9 +54,25 @@ void check_count(OGRLayer& source, std::uint64_t features, const std::string& fi
                 std::to_string(features) + " can be read; copy or export the file again");
 }
 
-bool is_ours(const std::vector<Column>& columns) { return columns.size() == 1 && columns[0].name == "polygon"; }
+// Says again and again what share of the features has been read, if their number is known without reading them.
+class ReadCount {
+ public:
+  ReadCount(OGRLayer& layer, const std::function<void(double share)>& progress) : progress_(progress) {
+    if (progress_ && layer.TestCapability(OLCFastFeatureCount)) features_ = layer.GetFeatureCount(FALSE);
+  }
+  void add() {
+    constexpr GIntBig step = 1024;
+    if (++done_ % step == 0 && features_ > 0)
+      progress_(std::min(1.0, static_cast<double>(done_) / static_cast<double>(features_)));
+  }
 
-void read_layer(GdalSource& source, const File& file, const ReadOptions& options, FileTable* table, Layer& layer) {
+ private:
+  const std::function<void(double share)>& progress_;
+  GIntBig features_ = 0, done_ = 0;
+};
+
+void read_layer(GdalSource& source, const File& file, const ReadOptions& options, FileTable* table, Layer& layer,
+                const std::function<void(double share)>& progress) {
   OGRLayer& from = source.layer();
   GdalMessages& messages = source.messages();
   LayerBuilder builder(layer, 0, options);
@@ -65,6 +82,7 @@ void read_layer(GdalSource& source, const File& file, const ReadOptions& options
   const bool reorder = file.flatgeobuf && options.entries == FeatureEntries::with_polygons && options.where.empty();
   FlatgeobufOrder order(reorder ? from.GetLayerDefn()->GetFieldIndex("polygon") : -1, layer);
   if (options.where.empty() && !table) ignore_attributes(from, file.flatgeobuf ? "polygon" : "");
+  ReadCount count(from, progress);
   const auto check = [&](const std::string& place) {
     if (messages.failed()) throw IoError(place + ": cannot be read to the end: " + messages.text(""));
   };
@@ -81,6 +99,7 @@ void read_layer(GdalSource& source, const File& file, const ReadOptions& options
       file.shapefile ? add_record(*geometry, builder, scratch) : add_geometry(*geometry, builder, scratch);
     }
     builder.end_feature();
+    count.add();
     order.add(*feature);
     if (!table) continue;
     feature->SetGeometryDirectly(nullptr);
@@ -94,10 +113,17 @@ void read_layer(GdalSource& source, const File& file, const ReadOptions& options
 
 }  // namespace
 
+void name_columns(Layer& layer, const std::vector<Column>& columns) {
+  const bool is_ours = columns.size() == 1 && columns[0].name == "polygon";
+  if (is_ours) return;
+  for (const Column& column : columns) layer.columns.push_back(column.name);
+}
+
 Layer read_with_gdal(const NamedSource& named, const ReadOptions& options, Attributes attributes, FileTable& table) {
   const std::string& path = named.source.path;
   const File file{lower_extension(path) == ".shp", lower_extension(path) == ".fgb"};
   if (file.shapefile) check_shapefile(path);
+  if (lower_extension(path) == ".gpkg") check_geopackage(path);
   GdalSource source(named.source, named.name);
   Layer layer;
   layer.files.push_back(named.name);
@@ -107,10 +133,8 @@ Layer read_with_gdal(const NamedSource& named, const ReadOptions& options, Attri
   for (int f = 0; f < definition.GetFieldCount(); ++f) table.columns.push_back(column_of(*definition.GetFieldDefn(f)));
   source.set_condition(options.where);
   source.messages().clear();  // the file was opened in spite of these messages
-  read_layer(source, file, options, attributes == Attributes::keep ? &table : nullptr, layer);
-  if (!is_ours(table.columns)) {
-    for (const Column& column : table.columns) layer.columns.push_back(column.name);
-  }
+  read_layer(source, file, options, attributes == Attributes::keep ? &table : nullptr, layer, named.progress);
+  name_columns(layer, table.columns);
   return layer;
 }
 

@@ -71,6 +71,8 @@ GdalSource::GdalSource(const Source& source, const std::string& name) : name_(na
                                  tables.size() == 1 ? "was" : "were", name_list(tables)));
 }
 
+bool GdalSource::is_driver(const char* name) const { return EQUAL(dataset_->GetDriverName(), name); }
+
 void GdalSource::set_condition(const std::string& where) {
   if (where.empty()) return;
   messages_.clear();

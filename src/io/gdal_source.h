@@ -19,6 +19,7 @@ class GdalSource {
   GdalSource(const Source& source, const std::string& name);
 
   GdalMessages& messages() { return messages_; }
+  bool is_driver(const char* name) const;
   OGRLayer& layer() { return *layer_; }
   /// What the file has besides, and what is not read.
   const std::vector<std::string>& notes() const { return notes_; }

@@ -29,23 +29,32 @@ void add_new(std::vector<std::string>& sum, const std::vector<std::string>& part
   }
 }
 
-void append(Layer& sum, const Layer& part) {
+}  // namespace
+
+void append_polygons(Layer& sum, const Layer& part) {
   const auto points = static_cast<std::uint32_t>(sum.regions.points.size());
   const auto contours = static_cast<std::uint32_t>(sum.regions.contour_ends.size());
   const auto polygons = static_cast<std::uint32_t>(sum.regions.polygon_ends.size());
-  const auto files = static_cast<std::uint32_t>(sum.files.size());
   const RegionSet& regions = part.regions;
   sum.regions.points.insert(sum.regions.points.end(), regions.points.begin(), regions.points.end());
   for (const std::uint32_t end : regions.contour_ends) sum.regions.contour_ends.push_back(points + end);
   for (const std::uint32_t end : regions.polygon_ends) sum.regions.polygon_ends.push_back(contours + end);
   for (FeatureRange feature : part.features) {
     feature.first_polygon += polygons;
-    feature.file += files;
     sum.features.push_back(feature);
   }
   for (const std::uint32_t contour : part.open_contours) sum.open_contours.push_back(contours + contour);
-  sum.files.insert(sum.files.end(), part.files.begin(), part.files.end());
   add(sum.report, part.report);
+}
+
+namespace {
+
+void append(Layer& sum, const Layer& part) {
+  const auto files = static_cast<std::uint32_t>(sum.files.size());
+  const std::size_t first = sum.features.size();
+  append_polygons(sum, part);
+  for (std::size_t f = first; f < sum.features.size(); ++f) sum.features[f].file += files;
+  sum.files.insert(sum.files.end(), part.files.begin(), part.files.end());
   add_new(sum.columns, part.columns);
   add_new(sum.notes, part.notes);
 }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "io/crs.h"
+#include "io/read_parts.h"
 
 namespace oblast::io {
 
@@ -46,6 +47,19 @@ void LayerBuilder::set_crs(std::string wkt) {
   transform_.emplace(wkt, options_.target_crs);
   layer_.crs_wkt = options_.target_crs;
   note(fmt::format("transformed from {} to {}; edges stay straight", crs_name(wkt), transform_->target_name()));
+}
+
+void LayerBuilder::append(const LayerBuilder& part, std::span<const std::int64_t> ids) {
+  if (scan_ && part.scan_) scan_->add(*part.scan_);
+  const std::size_t first = layer_.features.size();
+  append_polygons(layer_, part.layer_);
+  if (layer_.regions.points.size() > most_vertices)
+    throw IoError(layer_.files[file_] + ": more than 2^31 - 1 vertices in one operand");
+  for (std::size_t f = first; f < layer_.features.size(); ++f) {
+    FeatureRange& feature = layer_.features[f];
+    feature.feature = ids[static_cast<std::size_t>(feature.feature)];
+    feature.file = file_;
+  }
 }
 
 void LayerBuilder::finish() {

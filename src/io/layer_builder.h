@@ -34,6 +34,8 @@ class LayerBuilder {
   void add_ring(std::span<const Point> ring);
   void end_polygon();
   void end_feature();
+  /// Appends what another builder has made of the next part of the same file. Feature f of it gets the number `ids[f]`.
+  void append(const LayerBuilder& part, std::span<const std::int64_t> ids);
   /// Adds what was seen of the coordinates to the report.
   void finish();
 

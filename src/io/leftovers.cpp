@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <random>
 #include <vector>
 
 namespace oblast::io {
@@ -41,6 +42,20 @@ std::vector<fs::path> older_stages(const fs::path& parent) {
 }
 
 }  // namespace
+
+std::string stage_suffix() {
+  constexpr char alphabet[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  std::random_device device;
+  std::string suffix;
+  for (int i = 0; i < stage_suffix_length; ++i) suffix += alphabet[device() % (sizeof alphabet - 1)];
+  return suffix;
+}
+
+int lock_stage(const std::string& folder) {
+  const int lock = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock >= 0) ::flock(lock, LOCK_SH | LOCK_NB);  // where it fails, leftovers stay: no harm
+  return lock;
+}
 
 // A living writer holds a lock on its stage; the kernel releases it however the program ends. So a stage of this target
 // without a lock is what a killed program left. A stage that is a moment old may not be locked yet.

@@ -32,9 +32,12 @@ class RowFields {
 /// Counts, by column, values that a file has in another form than they were given, and says so.
 class ChangedValues {
  public:
+  explicit ChangedValues(const RowFields& fields) : changed_(fields.size(), 0) {}
   /// `read`: the fields of the file, which may have others of its own.
   ChangedValues(const RowFields& fields, const OGRFeatureDefn& read);
   void compare(const OGRFeature& given, const OGRFeature& read);
+  /// `changed` values of a column, counted elsewhere.
+  void add(std::size_t column, std::uint64_t changed) { changed_[column] += changed; }
   std::vector<std::string> notes(const RowFields& fields) const;
 
  private:

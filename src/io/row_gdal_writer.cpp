@@ -7,6 +7,7 @@
 
 #include "io/attribute_data.h"
 #include "io/gdal_output_file.h"
+#include "io/geopackage_writer.h"
 #include "io/row_fields.h"
 #include "io/row_writers.h"
 
@@ -103,13 +104,32 @@ void check_complete(const GdalLayer& what, const RowOutput& output, const RowFie
   if (!moved.note().empty()) notes.push_back(moved.note());
 }
 
+// GDAL makes the layer, and SQLite fills it.
+void write_geopackage(const GdalLayer& what, const RowOutput& output, GeopackageShape shape, const RowFields& fields,
+                      OGRFeatureDefn& given, std::vector<std::string>& notes) {
+  GdalOutputFile file(what, shape == GeopackageShape::polygon ? wkbPolygon : wkbMultiPolygon,
+                      layer_options(what.driver, fields.plan()));
+  create_fields(file.layer(), fields.plan(), file.check());
+  const GeopackageRows rows{
+      what,           output.rows, fields, given, shape, file.layer().GetFIDColumn(), file.layer().GetGeometryColumn(),
+      output.progress};
+  file.close();
+  write_rows(rows);
+  const std::vector<std::uint64_t> lost = check_rows(rows);
+  ChangedValues changed(fields);
+  for (std::size_t column = 0; column < lost.size(); ++column) changed.add(column, lost[column]);
+  const std::vector<std::string> more = changed.notes(fields);
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
 struct Release {
   void operator()(OGRFeatureDefn* definition) const { definition->Release(); }
 };
 
 }  // namespace
 
-void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, std::vector<std::string>& notes) {
+void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, GeopackageShape shape,
+                          std::vector<std::string>& notes) {
   register_gdal_drivers();
   if (what.driver == "FlatGeobuf") refuse_empty_rows(output);
   const FieldPlan plan = plan_fields(output.columns, what.path);
@@ -123,6 +143,8 @@ void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, std::v
     define(defined, field);
     given->AddFieldDefn(&defined);
   }
+  if (what.driver == "GPKG" && can_write_rows(plan))
+    return write_geopackage(what, output, shape, fields, *given, notes);
   {
     const bool shapefile = what.driver == "ESRI Shapefile";
     GdalOutputFile file(what, shapefile ? wkbPolygon : wkbMultiPolygon, layer_options(what.driver, plan));

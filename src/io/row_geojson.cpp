@@ -1,9 +1,12 @@
 // Rows as GeoJSON. A number of a column of numbers always has a point or an exponent, so that readers see its type.
 #include <cpl_json.h>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "io/attribute_data.h"
 #include "io/crs.h"
@@ -19,6 +22,8 @@ namespace {
 struct Release {
   void operator()(OGRFeatureDefn* definition) const { definition->Release(); }
 };
+
+constexpr std::size_t most_parts = 256;  // of the text, which are made on all cores
 
 std::string real_text(const OGRFeature& feature, int field) {
   const double value = feature.GetFieldAsDouble(field);
@@ -57,6 +62,8 @@ std::string value_text(const OGRFeature& feature, int field) {
   }
 }
 
+using Counts = std::vector<std::uint64_t>;  // by column
+
 class RowsText {
  public:
   explicit RowsText(const RowOutput& output) : output_(output), plan_(plan_fields(output.columns, ".geojson")) {
@@ -69,10 +76,12 @@ class RowsText {
       definition_->AddFieldDefn(&defined);
       names_.push_back(json_string(field.name));
     }
-    not_finite_.resize(plan_.fields.size(), 0);
   }
 
-  void append_row(std::string& text, std::size_t row) {
+  std::size_t columns() const { return names_.size(); }
+
+  /// Counts in `not_finite` numbers that GeoJSON cannot hold. Several threads may call it.
+  void append_row(std::string& text, std::size_t row, Counts& not_finite) const {
     text += R"({"type":"Feature","properties":{)";
     OGRFeature feature(definition_.get());
     RowFields(output_.columns, plan_).fill(feature, row);
@@ -81,19 +90,19 @@ class RowsText {
       text += (i ? "," : "") + names_[i] + ":" + value_text(feature, field);
       if (plan_.fields[i].type == ColumnType::real && feature.IsFieldSetAndNotNull(field) &&
           !std::isfinite(feature.GetFieldAsDouble(field)))
-        ++not_finite_[i];
+        ++not_finite[i];
     }
     text += R"(},"geometry":)";
     append_geometry(text, row);
     text += "}";
   }
 
-  void add_notes(std::vector<std::string>& notes) const {
+  void add_notes(const Counts& not_finite, std::vector<std::string>& notes) const {
     notes.insert(notes.end(), plan_.notes.begin(), plan_.notes.end());
-    for (std::size_t i = 0; i < not_finite_.size(); ++i) {
-      if (not_finite_[i])
+    for (std::size_t i = 0; i < not_finite.size(); ++i) {
+      if (not_finite[i])
         notes.push_back(fmt::format("{}: {} of the values are not finite; GeoJSON has null for them",
-                                    plan_.fields[i].name, not_finite_[i]));
+                                    plan_.fields[i].name, not_finite[i]));
     }
   }
 
@@ -118,19 +127,37 @@ class RowsText {
   FieldPlan plan_;
   std::unique_ptr<OGRFeatureDefn, Release> definition_;
   std::vector<std::string> names_;
-  std::vector<std::uint64_t> not_finite_;
 };
 
 }  // namespace
 
 std::string rows_to_geojson(const RowOutput& output, std::vector<std::string>& notes) {
+  const RowsText rows(output);
+  const std::size_t count = output.rows.feature_count();
+  struct Part {
+    std::string text;
+    Counts not_finite;
+  };
+  const std::size_t size = std::max<std::size_t>(1, count / most_parts);  // rows
+  std::vector<Part> parts((count + size - 1) / size);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t p) {
+    auto& [text, not_finite] = parts[p];
+    not_finite.resize(rows.columns(), 0);
+    for (std::size_t row = p * size; row < std::min(count, (p + 1) * size); ++row) {
+      rows.append_row(text, row, not_finite);
+      text += row + 1 < count ? ",\n" : "\n";
+    }
+  });
   std::string text = geojson_begin(geojson_crs_code(output.crs_wkt));
-  RowsText rows(output);
-  for (std::size_t row = 0; row < output.rows.feature_count(); ++row) {
-    rows.append_row(text, row);
-    text += row + 1 < output.rows.feature_count() ? ",\n" : "\n";
+  std::size_t bytes = text.size() + 3;
+  for (const Part& part : parts) bytes += part.text.size();
+  text.reserve(bytes);
+  Counts not_finite(rows.columns(), 0);
+  for (Part& part : parts) {
+    text += std::exchange(part.text, {});
+    for (std::size_t i = 0; i < not_finite.size(); ++i) not_finite[i] += part.not_finite[i];
   }
-  rows.add_notes(notes);
+  rows.add_notes(not_finite, notes);
   return text + "]}\n";
 }
 

@@ -3,10 +3,12 @@
 
 #include <oblast/features.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "io/gdal_output_file.h"
+#include "io/geopackage_geometry.h"
 #include "io/row_columns.h"
 
 namespace oblast::io {
@@ -16,10 +18,12 @@ struct RowOutput {
   std::span<const OutputColumn> columns;
   const std::string& crs_wkt;
   const std::string& name;  ///< of the file, for messages
+  std::function<void(double share)> progress = {};
 };
 
-/// With GDAL's driver. Then reads the file back, and throws IoError if something is missing.
-void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, std::vector<std::string>& notes);
+/// With GDAL's driver; a GeoPackage gets `shape`. Then reads the file back, and throws IoError if something is missing.
+void write_rows_with_gdal(const GdalLayer& what, const RowOutput& output, GeopackageShape shape,
+                          std::vector<std::string>& notes);
 
 std::string rows_to_geojson(const RowOutput& output, std::vector<std::string>& notes);
 

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,7 +16,6 @@
 #include <filesystem>
 #include <memory>
 #include <new>
-#include <random>
 
 #include "io/layer.h"
 #include "io/leftovers.h"
@@ -113,18 +111,6 @@ void force_to_disk(const std::string& path) {
 
 }  // namespace
 
-namespace {
-
-std::string random_suffix() {
-  constexpr char alphabet[] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-  std::random_device device;
-  std::string suffix;
-  for (int i = 0; i < stage_suffix_length; ++i) suffix += alphabet[device() % (sizeof alphabet - 1)];
-  return suffix;
-}
-
-}  // namespace
-
 // After the folder exists, no step may fail and leave it behind, and a signal may come at any time. So all names are
 // made and stored before.
 StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files_(std::move(files)) {
@@ -135,7 +121,7 @@ StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files
   const fs::path parent = full.has_parent_path() ? full.parent_path() : fs::path(".");
   remove_leftovers(parent, full.filename().string());
   for (int attempts = 100;; --attempts) {
-    const std::string suffix = random_suffix();
+    const std::string suffix = stage_suffix();
     auto unfinished = std::make_unique<UnfinishedOutput>();
     unfinished->folder = (parent / fmt::format(".{}.writing-{}", full.filename().string(), suffix)).string();
     unfinished->gone = (parent / fmt::format(".{}.stopped-{}", full.filename().string(), suffix)).string();
@@ -147,8 +133,7 @@ StagedOutput::StagedOutput(const std::string& target, OutputFiles files) : files
     remember(unfinished.get());
     if (::mkdir(unfinished->folder.c_str(), 0700) == 0) {
       unfinished_ = unfinished.release();
-      lock_ = ::open(unfinished_->folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      if (lock_ >= 0) ::flock(lock_, LOCK_SH | LOCK_NB);  // where it fails, leftovers stay: no harm
+      lock_ = lock_stage(unfinished_->folder);
       return;
     }
     const int failure = errno;

@@ -21,6 +21,7 @@ class MemoryFile {
   MemoryFile& operator=(const MemoryFile&) = delete;
 
   const std::string& path() const { return path_; }
+  const std::string& text() const { return text_; }
 
  private:
   std::string text_;

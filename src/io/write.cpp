@@ -15,6 +15,7 @@
 #include "io/gdal_writer.h"
 #include "io/geojson_writer.h"
 #include "io/paths.h"
+#include "io/row_writers.h"
 #include "io/staged_output.h"
 #include "io/write_rows.h"
 #include "io/write_text.h"
@@ -153,17 +154,28 @@ std::string to_text(const RegionView& regions, TextFormat format, const WriteOpt
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// CSV is a table: each polygon is a row.
-void write_as_rows(const std::string& path, const RegionView& regions, const WriteOptions& options) {
-  std::vector<std::uint32_t> ends(regions.polygon_count());
+// Each polygon as a row with its number.
+struct PolygonRows {
+  std::vector<std::uint32_t> ends;
   OutputColumn number{.column = {"polygon", ColumnType::integer}};
-  for (std::size_t p = 0; p < ends.size(); ++p) {
-    ends[p] = static_cast<std::uint32_t>(p + 1);
-    number.values.emplace_back(options.polygon_numbers.empty() ? static_cast<std::int64_t>(p)
-                                                               : std::int64_t{options.polygon_numbers[p]});
+
+  PolygonRows(const RegionView& regions, const WriteOptions& options) {
+    const std::size_t polygons = regions.polygon_count();
+    for (std::size_t p = 0; p < polygons; ++p) {
+      ends.push_back(static_cast<std::uint32_t>(p + 1));
+      number.values.emplace_back(options.polygon_numbers.empty() ? static_cast<std::int64_t>(p)
+                                                                 : std::int64_t{options.polygon_numbers[p]});
+    }
   }
+};
+
+void write_with_driver(const GdalLayer& what, const RegionView& regions, const WriteOptions& options) {
+  if (what.driver != "GPKG") return write_with_gdal(what, regions, options.polygon_numbers, options.notes);
+  const PolygonRows rows(regions, options);
+  const FeatureView view{regions, rows.ends};
   std::vector<std::string> notes;
-  write_rows(path, {regions, ends}, std::span(&number, 1), options, options.notes ? *options.notes : notes);
+  write_rows_with_gdal(what, {view, std::span(&rows.number, 1), what.crs_wkt, what.name, options.progress},
+                       GeopackageShape::polygon, options.notes ? *options.notes : notes);
 }
 
 }  // namespace
@@ -171,12 +183,16 @@ void write_as_rows(const std::string& path, const RegionView& regions, const Wri
 void write(const std::string& path_given, const RegionView& regions, const WriteOptions& options) {
   check_writable(path_given, options);
   if (path_given == "-") return write_text_to_standard_output(to_text(regions, options.standard_output, options));
-  if (is_csv(path_given)) return write_as_rows(path_given, regions, options);
+  if (is_csv(path_given)) {  // a table
+    const PolygonRows rows(regions, options);
+    std::vector<std::string> notes;
+    return write_rows(path_given, {regions, rows.ends}, std::span(&rows.number, 1), options,
+                      options.notes ? *options.notes : notes);
+  }
   const OutputTarget target = output_target(path_given);
   write_staged(target, options, [&](const std::string& stage) {
     if (const char* driver = writable_format(target.path).writer) {
-      write_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, regions,
-                      options.polygon_numbers, options.notes);
+      write_with_driver({stage, driver, target.layer_name(), options.crs_wkt, target.path}, regions, options);
     } else {
       write_text(stage, to_text(regions, text_format_of(target.path), options), target.path);
     }

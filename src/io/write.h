@@ -25,6 +25,8 @@ struct WriteOptions {
   /// The attribute `polygon` of each feature, by polygon (WKT has none); empty: 0, 1, 2, ...
   std::span<const std::int32_t> polygon_numbers = {};
   TextFormat standard_output = TextFormat::wkt;
+  /// Gets the share of a GeoPackage that has been written, again and again, from one thread at a time.
+  std::function<void(double share)> progress = {};
   std::vector<std::string>* notes = nullptr;  ///< gets a line for each thing that the user should know of the file
 };
 

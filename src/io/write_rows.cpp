@@ -65,11 +65,12 @@ void write_rows(const std::string& path_given, const FeatureView& rows, std::spa
   const OutputTarget target = output_target(path_given);
   WriteOptions options = options_given;
   options.notes = &notes;
-  const RowOutput output{rows, columns, options.crs_wkt, target.path};
+  const RowOutput output{rows, columns, options.crs_wkt, target.path, options.progress};
   if (path_given == "-") return write_text_to_standard_output(to_text(output, options.standard_output, notes));
   write_staged(target, options, [&](const std::string& stage) {
     if (const char* driver = format_of(target.path)->writer) {
-      write_rows_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, output, notes);
+      write_rows_with_gdal({stage, driver, target.layer_name(), options.crs_wkt, target.path}, output,
+                           GeopackageShape::multipolygon, notes);
     } else if (is_csv(target.path)) {
       write_csv(stage, output, notes);
     } else {

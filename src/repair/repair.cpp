@@ -6,14 +6,12 @@
 #include "base/parallel.h"
 #include "base/public_call.h"
 #include "base/stage_shares.h"
+#include "check/valid_feature.h"
 #include "features/validate_features.h"
-#include "noding/simple_ring.h"
 #include "overlay/pipeline.h"
 #include "repair/describe_repair.h"
 #include "repair/feature_regions.h"
 #include "repair/join_features.h"
-#include "repair/plain_ring.h"
-#include "repair/same_region.h"
 
 namespace oblast {
 using namespace internal;
@@ -26,13 +24,6 @@ struct Change {
   RegionSet regions;
   FeatureRepair report;
 };
-
-/// The quick answer for the most usual feature.
-bool is_one_simple_ring(const RegionView& feature) {
-  if (feature.contour_count() != 1) return false;
-  const Array<Point> ring = plain_ring(feature.contour(0));
-  return ring.size() >= 3 && ring_shape(ring) != RingShape::tangled;
-}
 
 class Repair {
  public:
@@ -65,11 +56,11 @@ class Repair {
  private:
   void look_at(std::uint32_t f, Array<Change>& change) const {
     const RegionView feature = feature_regions(layer_, f);
-    if (feature.points.empty() || is_one_simple_ring(feature)) return;
+    if (feature.points.empty()) return;
     poll();
+    if (checking::is_valid_feature({layer_, f})) return;
     Statistics statistics;
     PipelineResult resolved = run_pipeline(feature, nullptr, {Operation::unite, options_, control_}, statistics);
-    if (is_same_region(feature, resolved.regions, MoreVertices::allowed)) return;
     FeatureRepair report = describe_repair(feature, resolved.regions);
     report.feature = f;
     change.push_back({std::move(resolved.charge), std::move(resolved.regions), std::move(report)});

@@ -193,5 +193,35 @@ TEST(CheckFeatures, OptionsThatDoNotGoTogether) {
   EXPECT_EQ(oblast_program({"check", "-", "--overwrite"}, square).code, 2);
 }
 
+TEST(Check, TakesTheOptionsOfInputOfTheOtherCommands) {
+  const Folder folder;
+  const std::string path = folder.path("a.gpkg");
+  ASSERT_EQ(oblast_program({"union", "-", "-o", path, "-q"}, "SRID=4326;POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))").code, 0);
+  ASSERT_EQ(
+      oblast_program({"union", "-", "-o", path + ":big", "-q"}, "SRID=4326;POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))").code,
+      0);
+  for (const Words& form : {Words{}, {"--coverage"}, {"--regions"}, {"--rows"}}) {
+    const auto check = [&](const std::string& file, Words more) {
+      Words words{"check", file};
+      words.insert(words.end(), form.begin(), form.end());
+      words.insert(words.end(), more.begin(), more.end());
+      return oblast_program(words);
+    };
+    EXPECT_TRUE(contains(check(path, {}).err, "has 2 layers: a (polygons) and big (polygons)"));
+    EXPECT_TRUE(contains(check(path + ":big", {}).out, "4 vertices"));
+    EXPECT_TRUE(contains(check(path, {"--layer", "a", "--where", "polygon < 7"}).out, "4 vertices"));
+    EXPECT_FALSE(contains(check(path, {"--layer", "a", "--where", "polygon > 7"}).out, "4 vertices"));
+    const ProgramRun moved = check(path, {"--layer", "a", "--t_srs", "EPSG:3857"});
+    EXPECT_EQ(moved.code, 0) << moved.err;
+    EXPECT_TRUE(contains(moved.err, "note: input: transformed from WGS 84")) << moved.err;
+  }
+  const ProgramRun assumed =
+      oblast_program({"check", "-", "--assume-crs", "EPSG:4326", "--faults", folder.path("f.gpkg")},
+                     "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))");
+  EXPECT_EQ(assumed.code, 1);
+  EXPECT_TRUE(contains(assumed.err, "taken to be in WGS 84")) << assumed.err;
+  EXPECT_EQ(oblast_program({"check", path, "--where", "polygon = 0", "--layer", "none"}).code, 1);
+}
+
 }  // namespace
 }  // namespace oblast::test

@@ -45,5 +45,22 @@ TEST(Leftovers, ThatAreInUseStay) {
   EXPECT_EQ(folder.names(), Words{"b.gpkg"});
 }
 
+TEST(Leftovers, OfGeneratedFiresAreRemoved) {
+  const Folder folder;
+  fs::create_directory(folder / "fires");
+  make_stage(folder, "fires/.fires.writing-Xk2f9a");
+  const Words call{"generate", "fires", "-o", folder.path("fires"), "--scale", "0.01", "--months", "10", "-q"};
+  const int stage = ::open(folder.path("fires/.fires.writing-Xk2f9a").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(stage, LOCK_SH | LOCK_NB), 0);  // as the program does while it writes
+  const ProgramRun busy = oblast_program(call);
+  EXPECT_EQ(busy.code, 1);
+  EXPECT_TRUE(contains(busy.err, "is not empty")) << busy.err;
+  ::close(stage);
+  ASSERT_EQ(oblast_program(call).code, 0);
+  EXPECT_GT(std::distance(fs::directory_iterator(folder / "fires"), fs::directory_iterator()), 3);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "fires"))
+    EXPECT_TRUE(entry.path().filename().string().starts_with("fires-2011-")) << entry.path();
+}
+
 }  // namespace
 }  // namespace oblast::test

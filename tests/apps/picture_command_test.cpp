@@ -103,5 +103,22 @@ TEST_F(PictureOption, TheScaleBarHasTheUnitOfTheCoordinateSystem) {
       " km</text>"));
 }
 
+// A GeoJSON file without "crs" is in degrees by its definition; many have metres in it all the same.
+TEST(Pictures, OfMetresThatAreCalledDegreesAreNotStretched) {
+  const Folder folder;
+  const auto picture = [&](const std::string& size) {
+    const std::string ring = "[[0,0],[" + size + ",0],[" + size + "," + size + "],[0," + size + "],[0,0]]";
+    write_file(folder / "a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},)"
+                                     R"("geometry":{"type":"Polygon","coordinates":[)" +
+                                         ring + "]}}]}");
+    const ProgramRun run = oblast_program(
+        {"union", folder.path("a.geojson"), "-o", "-", "-q", "--overwrite", "--svg", folder.path("a.svg")});
+    EXPECT_EQ(contains(run.err, "latitude beyond 90 degrees"), size != "9") << run.err;
+    return read_file(folder / "a.svg");
+  };
+  EXPECT_TRUE(contains(picture("9"), " km</text>"));
+  EXPECT_FALSE(contains(picture("70000"), " km</text>"));
+}
+
 }  // namespace
 }  // namespace oblast::test

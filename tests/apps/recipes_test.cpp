@@ -69,6 +69,7 @@ TEST_F(Recipes, GiveWhatTheySay) {
       {"parts",
        {"sources=fields:1 count=1 area=14", "sources=fields:1;fields:2 count=2 area=2",
         "sources=fields:2 count=1 area=2"}},
+      {"clean", {"id=1 area=16", "id=2 area=2"}},
       {"both",
        {"use_1=forest use_2=field area=1", "use_1=forest use_2=null area=3", "use_1=field use_2=field area=4",
         "use_1=null use_2=town area=1"}},
@@ -81,7 +82,7 @@ TEST_F(Recipes, GiveWhatTheySay) {
   };
   const std::string page = oblast_program({"help", "recipes"}).out;
   const std::vector<std::string> commands = commands_of(page);
-  EXPECT_EQ(commands.size(), expected.size() + 1);  // the last one checks
+  EXPECT_EQ(commands.size(), expected.size() + 2);  // two of them check
   for (const std::string& line : commands) run(line);
   for (const auto& [name, rows] : expected) {
     EXPECT_TRUE(contains(page, "-o " + name + ".gpkg")) << name;
