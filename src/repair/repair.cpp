@@ -11,7 +11,7 @@
 #include "overlay/pipeline.h"
 #include "repair/describe_repair.h"
 #include "repair/feature_regions.h"
-#include "repair/join_features.h"
+#include "regions/join_features.h"
 #include "repair/plain_ring.h"
 #include "repair/same_region.h"
 
