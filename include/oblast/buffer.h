@@ -66,7 +66,7 @@ struct BufferStatistics {
   std::uint64_t folded_pieces = 0;  ///< pieces that rounding folded; the hull of their vertices takes their place
   double lower_factor = 1;          ///< the outline is not nearer than this times d, less `rounding`
   double upper_factor = 1;          ///< the outline is not further than this times d, and `rounding`
-  double rounding = 0;              ///< C, in units of the coordinates: 32 units in the last place of the largest one
+  double rounding = 0;              ///< C, in units of the coordinates: 48 units in the last place of the largest one
   Statistics overlay;               ///< of the union of all pieces
 };
 

@@ -118,7 +118,7 @@ void append_cap(const ZoneShape& shape, const CornerNormals& corner, Array<Point
 
 void append_disc(const ZoneShape& shape, const Point& at, Array<Point>& outline) {
   if (shape.cap == Cap::flat) return;
-  const CornerNormals corner{at, {}, {}, shape.distance_at(at)};
+  const CornerNormals corner{at, {}, {}, shape.distance_at(std::max(std::fabs(at.x), std::fabs(at.y)))};
   Arc arc(shape, corner, outline);
   if (shape.cap == Cap::square) {
     for (const Point& direction : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}}) arc.add(direction);

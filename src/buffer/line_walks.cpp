@@ -56,17 +56,18 @@ Walk plain(const Array<Point>& path) {
   return walk;
 }
 
-/// Offset on the right only.
-Walk one_sided(const Array<Point>& path, bool closed) {
-  Walk walk = plain(path);
-  walk.back().edge = WalkEdge::bare;
-  if (!closed) walk.front().corner = walk.back().corner = Corner::bare;
+/// Offset on the right only: there with offsets, and back without.
+Array<Walk> one_sided(const Array<Point>& path, bool closed) {
+  Walk there = plain(path), back;
+  for (std::size_t i = path.size(); i-- > 0;) back.push_back({path[i], WalkEdge::bare, Corner::bare});
   if (closed) {
-    walk.pop_back();
-    return walk;
+    there.pop_back(), back.pop_back();
+    return {std::move(there), std::move(back)};
   }
-  for (std::size_t i = path.size() - 2; i > 0; --i) walk.push_back({path[i], WalkEdge::bare, Corner::bare});
-  return walk;
+  there.front().corner = Corner::bare;
+  there.back() = back.front();
+  there.insert(there.end(), back.begin() + 1, back.end() - 1);
+  return {std::move(there)};
 }
 
 /// The inner points of the path with pockets closed. The first and the last edge stay, for they give caps their
@@ -101,11 +102,7 @@ Array<Point> line_path(std::span<const Point> line, Side side) {
 Array<Walk> line_walks(const Array<Point>& path, const BufferOptions& options, double widest_lid,
                        std::uint64_t& pockets) {
   const bool closed = path.front() == path.back();
-  Array<Walk> walks;
-  if (options.side != Side::both) {
-    walks.push_back(one_sided(path, closed));
-    return walks;
-  }
+  if (options.side != Side::both) return one_sided(path, closed);
   ClosedPath sides;
   if (widest_lid == 0)
     sides = {plain(path), plain(path)};
@@ -114,6 +111,7 @@ Array<Walk> line_walks(const Array<Point>& path, const BufferOptions& options, d
   else
     sides = close_between_ends(path, widest_lid);
   pockets += sides.pockets;
+  Array<Walk> walks;
   if (!closed) {
     walks.push_back(around(sides.right, sides.left));
     return walks;

@@ -8,6 +8,7 @@
 #include "buffer/corner_arc.h"
 #include "exact/orientation.h"
 #include "hull/lee.h"
+#include "plane/largest_ulp.h"
 
 namespace oblast::internal::buffering {
 namespace {
@@ -20,11 +21,20 @@ bool is_fan(const Point& center, std::span<const Point> rim) {
   return true;
 }
 
+/// True if the bevel of the corner would lead so near to the corner that rounding could leave it out of the zone. The
+/// path then leads by the corner.
+bool turns_right_back(const CornerNormals& corner) {
+  constexpr double squared_quotient = 1e-13;  // of the distances of bevel and sides
+  return (1 + dot(corner.from, corner.to)) / 2 < squared_quotient;
+}
+
 class OutlineWriter {
  public:
   OutlineWriter(const ZoneShape& shape, Outlines& outlines) : shape_(shape), outlines_(outlines) {}
 
-  void write(const Walk& walk) {
+  void write(const Walk& whole) {
+    const Walk walk = without_near(whole);
+    if (walk.size() == 1) return write_point(walk[0].at);
     begin_ = outlines_.points.size();
     find_normals(walk);
     find_corners(walk);
@@ -60,6 +70,29 @@ class OutlineWriter {
   }
 
  private:
+  /// The walk without vertices that are so near to the one before that their pieces would be lost in rounding. What
+  /// rounding did to them could open cracks in other pieces.
+  Walk without_near(const Walk& walk) const {
+    const auto is_near = [&](const Point& p, const Point& q) {
+      const double near = shape_.smallest_edge(p), dx = q.x - p.x, dy = q.y - p.y;
+      return dx * dx + dy * dy <= near * near;
+    };
+    Walk kept;
+    for (const WalkVertex& vertex : walk) {
+      if (kept.empty() || !is_near(kept.back().at, vertex.at)) {
+        kept.push_back(vertex);
+        continue;
+      }
+      kept.back().edge = vertex.edge;
+      if (vertex.corner != Corner::join) kept.back().corner = vertex.corner;
+    }
+    while (kept.size() > 1 && is_near(kept.front().at, kept.back().at)) {
+      if (kept.back().corner != Corner::join) kept.front().corner = kept.back().corner;
+      kept.pop_back();
+    }
+    return kept;
+  }
+
   static std::size_t after(const Walk& walk, std::size_t i) { return i + 1 < walk.size() ? i + 1 : 0; }
 
   /// Of each edge the unit normal on the right, and the length.
@@ -88,7 +121,8 @@ class OutlineWriter {
 
   /// True if the corner has a piece. If not, the rim is the ends of the two sides alone.
   bool add_rim(const Walk& walk, std::size_t before, std::size_t i) {
-    double distance = shape_.distance_at(walk[i].at);
+    const Point ends[] = {walk[before].at, walk[i].at, walk[after(walk, i)].at};
+    double distance = shape_.distance_at(largest_coordinate(ends));
     for (const std::size_t e : {before, i})
       if (walk[e].edge == WalkEdge::lid) distance = shape_.lid_distance(distance, lengths_[e]);
     const CornerNormals corner{walk[i].at, normals_[before], normals_[i], distance};
@@ -96,7 +130,9 @@ class OutlineWriter {
     const Corner kind = walk[i].corner;
     const bool is_bare =
         kind == Corner::bare || walk[before].edge == WalkEdge::bare || walk[i].edge == WalkEdge::bare;
-    if (!is_bare && !(kind == Corner::end && shape_.cap == Cap::flat)) {
+    const bool is_flat = kind == Corner::end ? shape_.cap == Cap::flat
+                                             : shape_.join == Join::bevel && turns_right_back(corner);
+    if (!is_bare && !is_flat) {
       const int turn = exact::orientation(walk[before].at, corner.at, walk[after(walk, i)].at);
       const bool turns_back = dot(corner.from, corner.to) < 0;
       if (turn > 0 || (turn == 0 && turns_back)) {

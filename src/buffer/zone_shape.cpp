@@ -56,16 +56,22 @@ ZoneShape::ZoneShape(double asked, const BufferOptions& options)
   }
 }
 
-// Rounding. E = 8 units in the last place of the largest coordinate there bounds what moves a boundary: a unit normal
+// Rounding. E = 12 units in the last place of the largest coordinate of an edge bounds what moves its side: a unit normal
 // and its multiple are off by at most 5 * 2^-53 of the distance, which is at most 5 units; the sum with the corner by
-// half a unit in each coordinate; noding moves edges by at most 2 units (docs/guarantees.md). Distances below 2 E are
-// widened to 2 E, so that the zone holds the shapes whatever noding moves; the modes inside and outside keep clear of
-// the distance by E. So C = 32 units bound everything.
-double ZoneShape::distance_at(const Point& at) const {
-  const double moves = 8 * ulp_of(std::max(std::fabs(at.x), std::fabs(at.y)) + distance * furthest);
+// half a unit in each coordinate; a vertex that is left out was within 4 units of another one; noding moves edges by at
+// most 2 units (docs/guarantees.md). Distances below 2 E are widened to 2 E, so that the zone holds the shapes whatever
+// noding moves; the modes inside and outside keep clear of the distance by E. So C = 48 units bound everything.
+constexpr double moving_units = 12, left_out_units = 4, rounding_units = 48;
+
+double ZoneShape::distance_at(double largest) const {
+  const double moves = moving_units * ulp_of(largest + distance * furthest);
   if (mode == BufferMode::nearest) return std::max(distance, 2 * moves);
   if (mode == BufferMode::inside) return std::max(distance - moves, 2 * moves);
   return std::max(distance, moves) + moves;
+}
+
+double ZoneShape::smallest_edge(const Point& at) const {
+  return left_out_units * ulp_of(std::max(std::fabs(at.x), std::fabs(at.y)) + distance * furthest);
 }
 
 double ZoneShape::lid_distance(double full, double length) const {
@@ -76,7 +82,7 @@ double ZoneShape::rounding(double largest_coordinate) const {
   const double reached = largest_coordinate + distance * furthest;
   if (!(reached <= domain_largest))
     throw Error(ErrorCode::bad_option, "a buffer by " + std::to_string(distance) + " leaves the domain of coordinates");
-  return 32 * ulp_of(reached);
+  return rounding_units * ulp_of(reached);
 }
 
 }  // namespace oblast::internal::buffering

@@ -30,14 +30,18 @@ struct ZoneShape {
   double mitre_limit;      ///< times the distance
   double reach;            ///< of arcs, times the distance
   double straight_cosine;  ///< a corner whose normals have at least this dot product needs no arc
-  double widest_lid;       ///< 0: no pocket is closed
+  double widest_lid = 0;   ///< 0: no pocket is closed
   double furthest;         ///< the zone reaches at most so far, times the distance
   double lower_factor, upper_factor;
   Directions directions;
 
-  /// The distance of pieces at a vertex: that of the call, moved by what rounding may do there. It depends on the vertex
-  /// alone, so that nothing that lies elsewhere changes a zone (promise G7).
-  double distance_at(const Point& at) const;
+  /// The distance of pieces at a vertex: that of the call, moved by what rounding may do to its edges. `largest`: the
+  /// largest coordinate of the vertex and of the other ends of its edges. Nothing else counts, so nothing that lies
+  /// elsewhere changes a zone (promise G7).
+  double distance_at(double largest) const;
+  /// A shorter edge at the vertex gets no piece.
+  double smallest_edge(const Point& at) const;
+
   /// The distance at an end of a lid of this length, which without the lid is `distance`.
   double lid_distance(double distance, double length) const;
 
