@@ -126,7 +126,7 @@ class ZoneCheck {
     if (is_in_shape(e.a) && bounds_.lower > 0 && bounds_.check_lower)
       return fail("a vertex of the outline lies in the shapes: " + text(e.a));
     for (const Segment& s : features_) {
-      if (is_inner(s) && crosses(e, s))
+      if (is_inner(s) && bounds_.slack == 0 && crosses(e, s))
         return fail("the outline crosses the shapes at the edge from " + text(e.a) + " to " + text(e.b));
       const double found = std::min({distance(e.a, s), distance(e.b, s), distance(s.a, e), distance(s.b, e)});
       nearest_ = std::min(nearest_, found);
@@ -134,7 +134,7 @@ class ZoneCheck {
       const double bound = bounds_.lower;
       if (bound > 0 && (compare(e.a, s, bound) < 0 || compare(e.b, s, bound) < 0 || compare(s.a, e, bound) < 0 ||
                         compare(s.b, e, bound) < 0))
-        return fail("the outline is too near to the shapes, by " + std::to_string(found / bound) + " of the bound: edge " +
+        return fail("the outline is too near to the shapes, at " + text({found, bound}) + " (distance, bound): edge " +
                     text(e.a) + " to " + text(e.b) + ", shape " + text(s.a) + " to " + text(s.b));
     }
   }
@@ -169,7 +169,11 @@ class ZoneCheck {
     for (const Segment& s : std::span(features_).first(inner_features_))
       for (const Point& p : {s.a, s.b}) {
         const Where found = where(p, zone_);
-        if (inward_ ? found == Where::inside : found == Where::outside)
+        const bool is_wrong = inward_ ? found == Where::inside : found == Where::outside;
+        const bool is_excused = bounds_.slack > 0 && std::any_of(zone_.begin(), zone_.end(), [&](const Segment& e) {
+          return distance(p, e) <= bounds_.slack;
+        });
+        if (is_wrong && !is_excused)
           return fail("a vertex of the shapes is on the wrong side of the outline: " + text(p));
       }
   }

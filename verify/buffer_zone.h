@@ -37,6 +37,7 @@ struct ZoneOf {
 struct ZoneBounds {
   double lower, upper;        ///< distances
   bool check_lower = true;    ///< false: of a zone whose outline may come nearer, as with flat caps
+  double slack = 0;           ///< so far shapes may stick out: bevels and flat caps go through their own corners
   bool holds_lines = true;    ///< false: of a zone on one side of its lines
   std::uint32_t samples = 100;
   std::uint64_t seed = 1;

@@ -91,8 +91,10 @@ struct BufferOptions : CallOptions {
 /// The result is closed, canonical, the same on every machine, and local: promises G2, G3, G3b, G7.
 /// Distance: round joins and caps keep the outline within the bounds of BufferOptions::mode. So do the other joins and
 /// caps along edges, but not around corners and ends.
-/// Containment: a zone of positive distance holds the shapes, one of negative distance lies in the regions, exactly.
-/// Monotone: with the same relative tolerance, a larger distance gives a larger zone, up to C.
+/// Containment: a zone of positive distance holds the shapes, one of negative distance lies in the regions: exactly, but
+/// for bevels and flat caps, which go through corners and ends of the shapes, and may leave them out by C.
+/// Monotone: with the same relative tolerance, a larger distance gives a larger zone, up to C, or, where pockets are
+/// closed, up to the bounds.
 /// Where edges are much shorter than the distance, pockets are closed that are too narrow to change the outline by more
 /// than the tolerance (round joins only), so coastlines buffered by kilometres are quick.
 ///

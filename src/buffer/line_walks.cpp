@@ -27,9 +27,12 @@ void begin_at_smallest(Array<Point>& path) {
   path.push_back(path.front());
 }
 
-void turn(Array<Point>& path) {
-  if (std::lexicographical_compare(path.rbegin(), path.rend(), path.begin(), path.end(), lexicographically_less))
-    std::reverse(path.begin(), path.end());
+/// The path or its reverse, whichever is lexicographically smaller.
+void turn(Array<Point>& path, bool closed) {
+  Array<Point> back(path.rbegin(), path.rend());
+  if (closed) begin_at_smallest(back);
+  if (std::lexicographical_compare(back.begin(), back.end(), path.begin(), path.end(), lexicographically_less))
+    path = std::move(back);
 }
 
 /// A walk along the path the other way. Edge i leads from vertex i to i + 1, so edges move by one.
@@ -94,19 +97,18 @@ Array<Point> line_path(std::span<const Point> line, Side side) {
   if (path.size() < 2) return path;
   const bool closed = path.front() == path.back();
   if (closed) begin_at_smallest(path);
-  if (side == Side::both) turn(path);
+  if (side == Side::both) turn(path, closed);
   if (side == Side::left) std::reverse(path.begin(), path.end());
   return path;
 }
 
-Array<Walk> line_walks(const Array<Point>& path, const BufferOptions& options, double widest_lid,
-                       std::uint64_t& pockets) {
+Array<Walk> line_walks(const Array<Point>& path, Side side, Cap cap, double widest_lid, std::uint64_t& pockets) {
   const bool closed = path.front() == path.back();
-  if (options.side != Side::both) return one_sided(path, closed);
+  if (side != Side::both) return one_sided(path, closed);
   ClosedPath sides;
   if (widest_lid == 0)
     sides = {plain(path), plain(path)};
-  else if (closed || options.cap == Cap::round)
+  else if (closed || cap == Cap::round)
     sides = close_pockets(path, widest_lid, true);
   else
     sides = close_between_ends(path, widest_lid);

@@ -15,7 +15,6 @@ Array<Point> line_path(std::span<const Point> line, Side side);
 
 /// The walks around a path, or along its one side. Pockets up to `widest_lid` are closed. Adds to `pockets`.
 /// REQUIRES: at least two points, no two neighbours equal.
-Array<Walk> line_walks(const Array<Point>& path, const BufferOptions& options, double widest_lid,
-                       std::uint64_t& pockets);
+Array<Walk> line_walks(const Array<Point>& path, Side side, Cap cap, double widest_lid, std::uint64_t& pockets);
 
 }  // namespace oblast::internal::buffering

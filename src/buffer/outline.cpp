@@ -32,9 +32,7 @@ class OutlineWriter {
  public:
   OutlineWriter(const ZoneShape& shape, Outlines& outlines) : shape_(shape), outlines_(outlines) {}
 
-  void write(const Walk& whole) {
-    const Walk walk = without_near(whole);
-    if (walk.size() == 1) return write_point(walk[0].at);
+  void write(const Walk& walk) {
     begin_ = outlines_.points.size();
     find_normals(walk);
     find_corners(walk);
@@ -70,29 +68,6 @@ class OutlineWriter {
   }
 
  private:
-  /// The walk without vertices that are so near to the one before that their pieces would be lost in rounding. What
-  /// rounding did to them could open cracks in other pieces.
-  Walk without_near(const Walk& walk) const {
-    const auto is_near = [&](const Point& p, const Point& q) {
-      const double near = shape_.smallest_edge(p), dx = q.x - p.x, dy = q.y - p.y;
-      return dx * dx + dy * dy <= near * near;
-    };
-    Walk kept;
-    for (const WalkVertex& vertex : walk) {
-      if (kept.empty() || !is_near(kept.back().at, vertex.at)) {
-        kept.push_back(vertex);
-        continue;
-      }
-      kept.back().edge = vertex.edge;
-      if (vertex.corner != Corner::join) kept.back().corner = vertex.corner;
-    }
-    while (kept.size() > 1 && is_near(kept.front().at, kept.back().at)) {
-      if (kept.back().corner != Corner::join) kept.front().corner = kept.back().corner;
-      kept.pop_back();
-    }
-    return kept;
-  }
-
   static std::size_t after(const Walk& walk, std::size_t i) { return i + 1 < walk.size() ? i + 1 : 0; }
 
   /// Of each edge the unit normal on the right, and the length.
@@ -222,6 +197,11 @@ class OutlineWriter {
 
 void append_outline(const ZoneShape& shape, const Walk& walk, Outlines& outlines) {
   OutlineWriter(shape, outlines).write(walk);
+}
+
+void append_bare(std::span<const Point> contour, Outlines& outlines) {
+  outlines.points.insert(outlines.points.end(), contour.begin(), contour.end());
+  outlines.contour_ends.push_back(checked_index(outlines.points.size(), "vertices of outlines"));
 }
 
 void append_point_outline(const ZoneShape& shape, const Point& at, Outlines& outlines) {

@@ -15,6 +15,7 @@
 #include <oblast/point.h>
 
 #include <cstdint>
+#include <span>
 
 #include "base/call_memory.h"
 #include "buffer/walk.h"
@@ -31,6 +32,9 @@ struct Outlines {
 };
 
 void append_outline(const ZoneShape& shape, const Walk& walk, Outlines& outlines);
+
+/// The contour alone, without pieces.
+void append_bare(std::span<const Point> contour, Outlines& outlines);
 
 /// The piece of a single point.
 void append_point_outline(const ZoneShape& shape, const Point& at, Outlines& outlines);

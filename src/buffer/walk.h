@@ -8,6 +8,8 @@
 
 #include <oblast/point.h>
 
+#include <span>
+
 #include "base/call_memory.h"
 
 namespace oblast::internal::buffering {
@@ -32,5 +34,18 @@ struct WalkVertex {
 };
 
 using Walk = Array<WalkVertex>;
+
+/// A path without vertices that are so near to the one before that their pieces would be lost in rounding: what rounding
+/// did to them could open cracks in other pieces. The first and the last point stay. `is_near(p, q)`: q is so near to p.
+template <class IsNear>
+Array<Point> without_near(std::span<const Point> path, const IsNear& is_near) {
+  Array<Point> kept;
+  for (const Point& p : path)
+    if (kept.empty() || !is_near(kept.back(), p)) kept.push_back(p);
+  if (path.empty()) return kept;
+  while (kept.size() > 1 && is_near(path.back(), kept.back())) kept.pop_back();
+  if (kept.size() > 1 || !is_near(kept.front(), path.back())) kept.push_back(path.back());
+  return kept;
+}
 
 }  // namespace oblast::internal::buffering

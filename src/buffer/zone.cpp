@@ -98,6 +98,12 @@ class Zone {
     Array<Point> path(contour.begin(), contour.end());
     path.push_back(contour.front());
     if (distance_ < 0) std::reverse(path.begin(), path.end());
+    if (Array<Point> fewer = without_near(path, shape); fewer.size() < path.size()) {
+      // Without some of its vertices the contour may cross itself, so its sides are no longer known: it gets pieces on
+      // both, as a line does.
+      append_bare(path, outlines);
+      return add_path(fewer, Side::both, shape, outlines, pockets);
+    }
     Walk walk;
     if (shape.widest_lid > 0) {
       ClosedPath closed = close_pockets(path, shape.widest_lid, false);
@@ -111,11 +117,19 @@ class Zone {
   }
 
   void add_line(std::span<const Point> line, const ZoneShape& shape, Outlines& outlines, std::uint64_t& pockets) const {
-    const Array<Point> path = line_path(line, options_.side);
+    add_path(without_near(line_path(line, options_.side), shape), options_.side, shape, outlines, pockets);
+  }
+
+  void add_path(const Array<Point>& path, Side side, const ZoneShape& shape, Outlines& outlines,
+                std::uint64_t& pockets) const {
     if (path.size() == 1) append_point_outline(shape, path[0], outlines);
     if (path.size() < 2) return;
-    for (const Walk& walk : line_walks(path, options_, shape.widest_lid, pockets))
+    for (const Walk& walk : line_walks(path, side, options_.cap, shape.widest_lid, pockets))
       append_outline(shape, walk, outlines);
+  }
+
+  static Array<Point> without_near(const Array<Point>& path, const ZoneShape& shape) {
+    return buffering::without_near(path, [&](const Point& p, const Point& q) { return shape.is_near(p, q); });
   }
 
   Array<Point> different_points() const {

@@ -70,8 +70,10 @@ double ZoneShape::distance_at(double largest) const {
   return std::max(distance, moves) + moves;
 }
 
-double ZoneShape::smallest_edge(const Point& at) const {
-  return left_out_units * ulp_of(std::max(std::fabs(at.x), std::fabs(at.y)) + distance * furthest);
+bool ZoneShape::is_near(const Point& p, const Point& q) const {
+  const double near = left_out_units * ulp_of(std::max(std::fabs(p.x), std::fabs(p.y)) + distance * furthest);
+  const double dx = q.x - p.x, dy = q.y - p.y;
+  return dx * dx + dy * dy <= near * near;
 }
 
 double ZoneShape::lid_distance(double full, double length) const {

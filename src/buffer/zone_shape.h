@@ -39,8 +39,8 @@ struct ZoneShape {
   /// largest coordinate of the vertex and of the other ends of its edges. Nothing else counts, so nothing that lies
   /// elsewhere changes a zone (promise G7).
   double distance_at(double largest) const;
-  /// A shorter edge at the vertex gets no piece.
-  double smallest_edge(const Point& at) const;
+  /// True if an edge from p to q is too short for a piece.
+  bool is_near(const Point& p, const Point& q) const;
 
   /// The distance at an end of a lid of this length, which without the lid is `distance`.
   double lid_distance(double distance, double length) const;

@@ -125,6 +125,10 @@ class BufferTrial {
     if (options_.mode == BufferMode::outside) bounds.lower = d;
     if (options_.mode == BufferMode::inside && d > statistics_.rounding) bounds.upper = d;
     bounds.check_lower = round();
+    if (options_.join == Join::bevel || options_.cap == Cap::flat) {
+      bounds.slack = statistics_.rounding;
+      bounds.upper += statistics_.rounding;
+    }
     bounds.holds_lines = options_.side == Side::both;
     // Tips of mitres: the limit along the middle, and as much across.
     if (options_.join == Join::mitre) bounds.upper = 1.5 * options_.mitre_limit * (d + statistics_.rounding);
@@ -155,15 +159,17 @@ class BufferTrial {
     }
     for (const Point& p : question_.shapes.points) shapes.segments.push_back({p, p});
     if (options_.cap == Cap::flat && zone.empty()) return {};
-    if (options_.cap == Cap::flat) drop_points(shapes);
+    if (options_.cap == Cap::flat) drop_points(shapes, statistics_.rounding);
+    if (shapes.regions.points.empty() && shapes.segments.empty()) return {};
     const auto fault = verify::check_zone(zone, shapes, zone_bounds, &distances);
     note(zone_bounds, distances);
     return fault;
   }
 
-  /// A flat cap makes nothing of a point.
-  static void drop_points(verify::ZoneOf& shapes) {
-    std::erase_if(shapes.segments, [](const auto& s) { return s.a == s.b; });
+  /// A flat cap makes nothing of a point, and what is smaller than rounding may stick out of it.
+  static void drop_points(verify::ZoneOf& shapes, double rounding) {
+    std::erase_if(shapes.segments,
+                  [&](const auto& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y) <= rounding; });
   }
 
   void note(const verify::ZoneBounds& bounds, const verify::ZoneDistances& distances) const {
