@@ -1,7 +1,8 @@
-// Includes overlays, layers with rows, checks of results, triangulation, point-in-region queries, WKT and WKB. The
+// Includes overlays, layers with rows, buffer zones, checks of results, triangulation, point-in-region queries, WKT and WKB. The
 // papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C interface is c.h.
 #pragma once
 
+#include <oblast/buffer.h>
 #include <oblast/check.h>
 #include <oblast/check_features.h>
 #include <oblast/domain.h>

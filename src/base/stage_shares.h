@@ -21,4 +21,7 @@ inline constexpr double coverage_arrangement_share = 0.4, coverage_gaps_share = 
 // Of a repair of features one by one. The rest is for joining.
 inline constexpr double repair_share = 0.95;
 
+// Of a buffer, for the union of the regions, and of the rows of one that has rows. Not measured.
+inline constexpr double buffer_union_share = 0.3, buffer_rows_share = 0.95;
+
 }  // namespace oblast::internal

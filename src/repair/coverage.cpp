@@ -9,7 +9,7 @@
 #include "base/stage_shares.h"
 #include "features/validate_features.h"
 #include "repair/feature_regions.h"
-#include "repair/join_features.h"
+#include "regions/join_features.h"
 #include "repair/owned_pieces.h"
 #include "repair/same_region.h"
 

@@ -9,7 +9,7 @@
 #include "overlay/pipeline.h"
 #include "repair/append_regions.h"
 #include "repair/feature_regions.h"
-#include "repair/join_features.h"
+#include "regions/join_features.h"
 #include "repair/ordered_ring.h"
 
 namespace oblast {

@@ -9,9 +9,9 @@
 #include "check/valid_feature.h"
 #include "features/validate_features.h"
 #include "overlay/pipeline.h"
+#include "regions/join_features.h"
 #include "repair/describe_repair.h"
 #include "repair/feature_regions.h"
-#include "repair/join_features.h"
 
 namespace oblast {
 using namespace internal;

@@ -6,7 +6,7 @@
 #include "base/call_memory.h"
 #include "base/memory_budget.h"
 
-namespace oblast::internal::repairing {
+namespace oblast::internal {
 
 /// What features have become. The arrays of the views must exist.
 struct JoinedFeatures {
@@ -18,4 +18,4 @@ struct JoinedFeatures {
 /// Cost: linear, on all cores.
 JoinedFeatures join_features(const Array<RegionView>& parts);
 
-}  // namespace oblast::internal::repairing
+}  // namespace oblast::internal

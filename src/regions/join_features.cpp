@@ -1,11 +1,11 @@
-#include "repair/join_features.h"
+#include "regions/join_features.h"
 
 #include <algorithm>
 
 #include "base/index.h"
 #include "base/parallel.h"
 
-namespace oblast::internal::repairing {
+namespace oblast::internal {
 namespace {
 
 /// Where the arrays of a feature begin in those of the layer.
@@ -51,4 +51,4 @@ JoinedFeatures join_features(const Array<RegionView>& parts) {
   return joined;
 }
 
-}  // namespace oblast::internal::repairing
+}  // namespace oblast::internal
