@@ -66,9 +66,10 @@ Plan plan_of(const Arguments& arguments) {
     throw CallError(std::string("--crs: ") + error.what() + "; or `auto`");
   }
   if (io::coordinate_unit(plan.crs).angle)
-    throw CallError(fmt::format("--crs {}: {} has degrees, in which no distance can be measured; name a projected "
-                                "system, or `auto`",
-                                arguments.crs, io::crs_name(plan.crs)));
+    throw CallError(
+        fmt::format("--crs {}: {} has degrees, in which no distance can be measured; name a projected "
+                    "system, or `auto`",
+                    arguments.crs, io::crs_name(plan.crs)));
   return plan;
 }
 
@@ -213,9 +214,10 @@ void add_choice(CLI::App& command, const std::string& name, Value& value,
 
 void add_shape_options(CLI::App& command, Arguments& arguments) {
   BufferOptions& options = arguments.options;
-  command.add_option("--tolerance", arguments.tolerance,
-                     "how far the outline may be from the true one: a share of the distance such as 0.01 or 1% "
-                     "(default), or a length such as 0.5m")
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "how far the outline may be from the true one: a share of the distance such as 0.01 or 1% "
+                  "(default), or a length such as 0.5m")
       ->type_name("T");
   add_choice<Join>(command, "--join", options.join,
                    {{"round", Join::round}, {"mitre", Join::mitre}, {"bevel", Join::bevel}},
@@ -234,7 +236,8 @@ void add_shape_options(CLI::App& command, Arguments& arguments) {
       ->type_name("M");
   add_choice<Cap>(command, "--cap", options.cap, {{"round", Cap::round}, {"flat", Cap::flat}, {"square", Cap::square}},
                   "the outline around the ends of lines: round (default), flat or square", "CAP");
-  add_choice<Side>(command, "--side", options.side, {{"both", Side::both}, {"left", Side::left}, {"right", Side::right}},
+  add_choice<Side>(command, "--side", options.side,
+                   {{"both", Side::both}, {"left", Side::left}, {"right", Side::right}},
                    "the sides of lines, as seen along them: both (default), left or right", "SIDE");
   add_choice<BufferMode>(
       command, "--mode", options.mode,
@@ -249,8 +252,7 @@ void add_shape_options(CLI::App& command, Arguments& arguments) {
 void add_buffer(CLI::App& program, Invocation& invocation) {
   const auto arguments = std::make_shared<Arguments>();
   Arguments* const a = arguments.get();
-  CLI::App* command =
-      program.add_subcommand("buffer", "All places within a distance of polygons, lines and points.");
+  CLI::App* command = program.add_subcommand("buffer", "All places within a distance of polygons, lines and points.");
   command->footer(footer);
   command->add_option("IN", a->inputs, input_help)->required()->type_name("");
   command

@@ -31,17 +31,18 @@ std::vector<double> distances(const Distance& distance, const io::Rows& rows, co
   }
   const std::size_t column = *table.find(name);
   if (!io::is_number(table.columns()[column].type))
-    throw io::IoError(fmt::format("--distance {0}: column {0} has {1}, not a number", name,
-                                  io::name(table.columns()[column].type)));
+    throw io::IoError(
+        fmt::format("--distance {0}: column {0} has {1}, not a number", name, io::name(table.columns()[column].type)));
   std::vector<double> values;
   values.reserve(table.row_count());
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const io::FeatureRange& feature = rows.layer.features[row];
     const double value = table.is_null(row, column) ? std::nan("") : table.real(row, column);
     if (!std::isfinite(value))
-      throw io::IoError(fmt::format("{}, feature {}: there is no distance in column {}; leave such features out with "
-                                    "--where \"{} IS NOT NULL\"",
-                                    rows.layer.files[feature.file], feature.feature, name, name));
+      throw io::IoError(
+          fmt::format("{}, feature {}: there is no distance in column {}; leave such features out with "
+                      "--where \"{} IS NOT NULL\"",
+                      rows.layer.files[feature.file], feature.feature, name, name));
     values.push_back(value);
   }
   return values;

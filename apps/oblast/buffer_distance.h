@@ -20,8 +20,8 @@ struct Distance {
 /// Throws CallError.
 Distance parse_distance(const std::string& word);
 
-/// By row; one number if it is the same for all. Throws IoError if there is no such column, if it has no numbers, or if a
-/// number is missing; CallError as in_units.
+/// By row; one number if it is the same for all. Throws IoError if there is no such column, if it has no numbers, or if
+/// a number is missing; CallError as in_units.
 std::vector<double> distances(const Distance& distance, const io::Rows& rows, const io::CoordinateUnit& unit);
 
 /// "2%" and "0.02" are relative, "0.5 m" is absolute. Throws CallError.

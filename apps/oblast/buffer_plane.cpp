@@ -59,7 +59,9 @@ ShapeFeatures BufferPlane::shapes() const {
   const io::Layer& layer = rows_.layer;
   const io::LinesAndPoints& others = layer.others;
   ShapeFeatures features{{layer.regions, {others.line_vertices, others.line_ends}, others.points},
-                         region_rows_, others.line_features, others.point_features};
+                         region_rows_,
+                         others.line_features,
+                         others.point_features};
   if (is_other()) {
     features.shapes.regions.points = moved_.regions;
     features.shapes.lines.points = moved_.lines;

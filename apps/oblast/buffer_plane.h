@@ -17,8 +17,8 @@ std::optional<Box> extent_of(const io::Layer& layer);
 
 class BufferPlane {
  public:
-  /// `crs_wkt`: compute in this system. Empty: in that of the layer. The rows must outlive the plane. Throws IoError for
-  /// a place that cannot be transformed.
+  /// `crs_wkt`: compute in this system. Empty: in that of the layer. The rows must outlive the plane. Throws IoError
+  /// for a place that cannot be transformed.
   BufferPlane(const io::Rows& rows, const std::string& crs_wkt);
 
   ShapeFeatures shapes() const;

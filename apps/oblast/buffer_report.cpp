@@ -38,12 +38,11 @@ nlohmann::ordered_json BufferReport::to_json() const {
 
 std::string BufferReport::to_text() const {
   const BufferStatistics& s = statistics;
-  std::string text =
-      least_distance == most_distance
-          ? fmt::format("  distance  {:.10g} {}", least_distance, unit)
-          : fmt::format("  distance  {:.10g} to {:.10g} {}", least_distance, most_distance, unit);
-  text += fmt::format(", in {}; the outline is {:.6g} to {:.6g} of it from the input, and {:.2g} {} for rounding\n", crs,
-                      s.lower_factor, s.upper_factor, s.rounding, unit);
+  std::string text = least_distance == most_distance
+                         ? fmt::format("  distance  {:.10g} {}", least_distance, unit)
+                         : fmt::format("  distance  {:.10g} to {:.10g} {}", least_distance, most_distance, unit);
+  text += fmt::format(", in {}; the outline is {:.6g} to {:.6g} of it from the input, and {:.2g} {} for rounding\n",
+                      crs, s.lower_factor, s.upper_factor, s.rounding, unit);
   text += fmt::format("  pieces    {}, {} in a circle{}\n", counted(s.corners, "corner"),
                       counted(s.directions, "direction"),
                       s.closed_pockets ? ", " + counted(s.closed_pockets, "narrow pocket") + " closed" : "");

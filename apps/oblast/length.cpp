@@ -14,8 +14,8 @@ namespace oblast::app {
 namespace {
 
 constexpr std::pair<std::string_view, double> metres_of_unit[] = {
-    {"m", 1},          {"km", 1000},           {"cm", 0.01},     {"ft", 0.3048},   {"us-ft", 1200.0 / 3937},
-    {"mi", 1609.344},  {"metres", 1},          {"meters", 1},    {"feet", 0.3048}, {"miles", 1609.344},
+    {"m", 1},         {"km", 1000},  {"cm", 0.01},  {"ft", 0.3048},   {"us-ft", 1200.0 / 3937},
+    {"mi", 1609.344}, {"metres", 1}, {"meters", 1}, {"feet", 0.3048}, {"miles", 1609.344},
 };
 constexpr std::string_view degree_words[] = {"degrees", "degree", "deg"};
 
@@ -53,8 +53,7 @@ std::optional<Length> parse_length(const std::string& word) {
   while (length.unit.ends_with(' ')) length.unit.pop_back();
   const bool known = length.unit.empty() || length.unit == "%" || length.unit == "units" ||
                      metres_of(length.unit) > 0 || is_degrees(length);
-  if (!known)
-    throw CallError(fmt::format("'{}': {} is not a unit; choose from {}", word, length.unit, known_units()));
+  if (!known) throw CallError(fmt::format("'{}': {} is not a unit; choose from {}", word, length.unit, known_units()));
   return length;
 }
 

@@ -5,8 +5,8 @@
 
 namespace oblast::app {
 
-/// The files and regions of the layer. A line becomes a contour there and back, which is drawn as a line; a point becomes
-/// a small square.
+/// The files and regions of the layer. A line becomes a contour there and back, which is drawn as a line; a point
+/// becomes a small square.
 io::Layer drawable(const io::Layer& layer);
 
 }  // namespace oblast::app

@@ -78,7 +78,7 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
     };
     show(0);
     io::ReadOptions options = read_options(arguments_.input, arguments_.output.output);
-    options.other = input.keep_others    ? io::OtherGeometry::keep
+    options.other = input.keep_others   ? io::OtherGeometry::keep
                     : arguments_.strict ? io::OtherGeometry::refuse
                                         : io::OtherGeometry::count_and_skip;
     options.where = input.where.value_or(row_arguments_.where);

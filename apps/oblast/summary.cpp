@@ -120,10 +120,10 @@ std::string to_text(const Summary& summary) {
   std::string text =
       fmt::format("{} -> {}\n", summary.command, summary.output == "-" ? "standard output" : summary.output);
   for (const OperandSummary& operand : summary.operands) {
-    text += line(operand.label, fmt::format("{}, {}, {}, {}{}", counted(operand.files, "file"),
-                                            counted(operand.report.features, "feature"),
-                                            counted(operand.contours, "contour"), counted(operand.vertices, "vertex"),
-                                            others(operand)));
+    text += line(
+        operand.label,
+        fmt::format("{}, {}, {}, {}{}", counted(operand.files, "file"), counted(operand.report.features, "feature"),
+                    counted(operand.contours, "contour"), counted(operand.vertices, "vertex"), others(operand)));
     if (const std::string said = notes(operand); !said.empty()) text += line("", said);
   }
   const std::string rows = summary.rows ? counted(*summary.rows, "row") + ", " : "";

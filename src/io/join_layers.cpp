@@ -83,7 +83,8 @@ void reserve(RegionSet& regions, const std::vector<FilePart>& parts) {
     line_vertices += part.layer.others.line_vertices.size();
     single_points += part.layer.others.points.size();
   }
-  if (std::max({points, line_vertices, single_points}) > std::numeric_limits<std::int32_t>::max()) throw IoError("more than 2^31 - 1 vertices in one operand");
+  if (std::max({points, line_vertices, single_points}) > std::numeric_limits<std::int32_t>::max())
+    throw IoError("more than 2^31 - 1 vertices in one operand");
   regions.points.reserve(points);
   regions.contour_ends.reserve(contours);
   regions.polygon_ends.reserve(polygons);

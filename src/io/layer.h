@@ -28,8 +28,8 @@ struct FeatureRange {
   std::int64_t feature = 0;         ///< the file's own feature id
 };
 
-/// Lines and points of a layer that was read with OtherGeometry::keep. A feature is an index into Layer::features; those
-/// of the lines do not decrease, nor do those of the points.
+/// Lines and points of a layer that was read with OtherGeometry::keep. A feature is an index into Layer::features;
+/// those of the lines do not decrease, nor do those of the points.
 struct LinesAndPoints {
   std::vector<Point> line_vertices;
   std::vector<std::uint32_t> line_ends;  ///< line l is [line_ends[l-1], line_ends[l])

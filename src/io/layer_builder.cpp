@@ -167,8 +167,7 @@ void LayerBuilder::end_feature() {
   const bool has_polygons = layer_.regions.polygon_ends.size() > first_polygon_;
   if (has_polygons || options_.entries == FeatureEntries::all)
     layer_.features.push_back({first_polygon_, file_, feature_});
-  const bool has_others =
-      layer_.others.line_ends.size() > first_line_ || layer_.others.points.size() > first_point_;
+  const bool has_others = layer_.others.line_ends.size() > first_line_ || layer_.others.points.size() > first_point_;
   if (!has_polygons && !has_others && !other_seen_) ++report.empty_geometries;
 }
 
@@ -204,8 +203,8 @@ void LayerBuilder::check(std::span<const Point> vertices, Part part) const {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (in_domain(vertices[i].x) && in_domain(vertices[i].y)) continue;
     const bool at_x = !in_domain(vertices[i].x);
-    throw IoError(fmt::format("{}: {} {}", where(part, i), at_x ? "x" : "y",
-                              fault_of(at_x ? vertices[i].x : vertices[i].y)));
+    throw IoError(
+        fmt::format("{}: {} {}", where(part, i), at_x ? "x" : "y", fault_of(at_x ? vertices[i].x : vertices[i].y)));
   }
 }
 

@@ -77,7 +77,7 @@ class LayerBuilder {
   std::string extra_;
   std::uint32_t first_polygon_ = 0;  // of the feature
   std::size_t first_line_ = 0, first_point_ = 0;
-  std::uint64_t part_ = 0;           // number for messages: counted from 1, with empty parts
+  std::uint64_t part_ = 0;  // number for messages: counted from 1, with empty parts
   std::uint64_t ring_ = 0;
   bool has_z_ = false;
   bool has_m_ = false;

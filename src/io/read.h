@@ -1,4 +1,5 @@
-// Reads polygons, and lines and points if they are wanted, from any vector file that GDAL opens, from WKT and WKB, from folders and from standard input.
+// Reads polygons, and lines and points if they are wanted, from any vector file that GDAL opens, from WKT and WKB, from
+// folders and from standard input.
 #pragma once
 
 #include <functional>

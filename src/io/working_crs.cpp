@@ -30,8 +30,8 @@ struct Place {
 double angle_between(const Place& a, const Place& b) {
   const double south_north = std::sin((b.latitude - a.latitude) * degree / 2);
   const double west_east = std::sin((b.longitude - a.longitude) * degree / 2);
-  const double h = south_north * south_north +
-                   std::cos(a.latitude * degree) * std::cos(b.latitude * degree) * west_east * west_east;
+  const double h =
+      south_north * south_north + std::cos(a.latitude * degree) * std::cos(b.latitude * degree) * west_east * west_east;
   return 2 * std::asin(std::min(1.0, std::sqrt(h)));
 }
 

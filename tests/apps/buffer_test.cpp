@@ -186,9 +186,9 @@ TEST_F(Buffer, CrsAutoMeasuresMetresAnywhere) {
 class BufferRows : public Buffer {
  protected:
   BufferRows() {
-    write_layer(in_, {square(0, 10, R"("name":"a","width":1,"note":"x")"),
-                      square(5, 10, R"("name":"b","width":-6,"note":"y")"),
-                      square(90, 0, R"("name":"c","width":2.5,"note":null)")});
+    write_layer(
+        in_, {square(0, 10, R"("name":"a","width":1,"note":"x")"), square(5, 10, R"("name":"b","width":-6,"note":"y")"),
+              square(90, 0, R"("name":"c","width":2.5,"note":null)")});
   }
   ProgramRun rows(Words more) {
     Words words{"buffer", in_, "-o", out_, "--overwrite", "--join", "mitre"};
@@ -204,8 +204,8 @@ TEST_F(BufferRows, KeepTheirAttributes) {
   EXPECT_EQ(rows_of(out_).rows, (Lines{"name=a width=1 note=x area=144", "name=b width=-6 note=y area=144",
                                        "name=c width=2.5 note=null area=0"}));
   EXPECT_EQ(rows_of(out_).columns, rows_of(in_).columns);
-  EXPECT_EQ(rows({"--distance", "1m", "--by-feature", "--select", "name", "--where", "name <> 'b'", "--area", "m2"}).code,
-            0);
+  EXPECT_EQ(
+      rows({"--distance", "1m", "--by-feature", "--select", "name", "--where", "name <> 'b'", "--area", "m2"}).code, 0);
   EXPECT_EQ(rows_of(out_).rows, (Lines{"name=a m2=144 area=144", "name=c m2=0 area=0"}));
 }
 

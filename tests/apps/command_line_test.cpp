@@ -17,8 +17,8 @@ constexpr const char* two_squares = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), 
 constexpr const char* their_union = "POLYGON ((0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2, 0 2, 0 0))";
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
-  for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"}, Words{"buffer"},
-                               Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
+  for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"},
+                               Words{"buffer"}, Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
     Words words = command;
     words.push_back("--help");
     const ProgramRun run = oblast_program(words);

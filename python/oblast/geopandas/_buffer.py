@@ -21,8 +21,7 @@ from oblast.geopandas._ours import pass_on
 
 _CAPS: dict[str, Cap] = {"round": "round", "flat": "flat", "square": "square"}
 _JOINS: dict[str, Join] = {"round": "round", "mitre": "mitre", "bevel": "bevel"}
-_AREAS = (3, 6)  # Polygon, MultiPolygon
-_COLLECTION = 7
+_AREAS = (3, 6, 7)  # Polygon, MultiPolygon, GeometryCollection
 
 
 def buffer(
@@ -37,8 +36,8 @@ def buffer(
 ) -> Any:
     """Zones of all geometries, each by itself, as `GeoSeries.buffer` makes them.
 
-    Passed on to geopandas, and counted: distances that are not finite, collections with `single_sided`, and other
-    arguments than these.
+    Passed on to geopandas, and counted: distances that are not finite, polygons and collections with `single_sided`,
+    and other arguments than these.
 
     Parameters
     ----------
@@ -122,8 +121,8 @@ def _reason(
         return "distance"
     if distances.shape not in ((), geometries.shape) or not np.isfinite(distances).all():
         return "distance"
-    if single_sided and (shapely.get_type_id(geometries) == _COLLECTION).any():
-        return "collections with single_sided"
+    if single_sided and np.isin(shapely.get_type_id(geometries), _AREAS).any():
+        return "areas or collections with single_sided"
     return None
 
 
@@ -150,7 +149,7 @@ def _zones(
         return to_shapely(_rows(shapes[some], by[some], tolerance_of(resolution), cap, join, mitre_limit, side))
 
     made = np.empty(len(shapes), dtype=object)
-    right = single_sided & (distances < 0) & ~np.isin(shapely.get_type_id(shapes), _AREAS)
+    right = single_sided & (distances < 0)
     made[~right] = zones(~right, distances, "left" if single_sided else "both")
     if right.any():
         made[right] = zones(right, -distances, "right")
