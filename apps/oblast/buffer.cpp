@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/crs.h"
-#include "oblast/buffer_distance.h"
+#include "oblast/buffer_plan.h"
 #include "oblast/buffer_plane.h"
 #include "oblast/buffer_report.h"
 #include "oblast/row_job.h"
@@ -46,75 +45,11 @@ struct Arguments {
   RowArguments rows;
 };
 
-// What the words on the command line say. Errors are found before anything is read.
-struct Plan {
-  Distance distance;
-  Tolerance tolerance;
-  std::string crs;  // WKT, "auto" or empty
-};
-
-Plan plan_of(const Arguments& arguments) {
-  Plan plan{parse_distance(arguments.distance), parse_tolerance(arguments.tolerance), arguments.crs};
+void check(const Arguments& arguments) {
   if (!arguments.by_feature && !arguments.rows.select.empty())
     throw CallError("--select chooses the columns of features; add --by-feature to keep features as rows");
   if (arguments.mitre_limit_given && arguments.options.join != Join::mitre)
     throw CallError("--mitre-limit is for --join mitre");
-  if (plan.crs.empty() || plan.crs == "auto") return plan;
-  try {
-    plan.crs = io::crs_from_text(arguments.crs);
-  } catch (const io::IoError& error) {
-    throw CallError(std::string("--crs: ") + error.what() + "; or `auto`");
-  }
-  if (io::coordinate_unit(plan.crs).angle)
-    throw CallError(
-        fmt::format("--crs {}: {} has degrees, in which no distance can be measured; name a projected "
-                    "system, or `auto`",
-                    arguments.crs, io::crs_name(plan.crs)));
-  return plan;
-}
-
-[[noreturn]] void refuse_degrees(const io::Layer& layer) {
-  throw CallError(fmt::format(
-      "the coordinates are longitudes and latitudes ({}), so a distance needs a projected system: a degree is 111 km "
-      "from south to north, but from west to east 111 km at the equator, 56 km at 60 degrees of latitude and nothing "
-      "at a pole. Add `--crs auto` to compute in a system that fits the layer and come back, `--crs EPSG:N` to choose "
-      "that system, or `--t_srs EPSG:N` to stay in it. If degrees are meant, write --distance \"0.1 degrees\"",
-      io::crs_name(layer.crs_wkt)));
-}
-
-// The largest distance in metres, for a system with that unit.
-double reach_of(const Plan& plan, const io::Rows& rows) {
-  double reach = 0;
-  for (const double distance : distances(plan.distance, rows, {false, 1, 0}))
-    reach = std::max(reach, std::abs(distance));
-  return reach;
-}
-
-// The system to compute in; empty: that of the layer.
-std::string crs_of_plane(const Plan& plan, const io::Rows& rows, RowJob& job) {
-  const io::Layer& layer = rows.layer;
-  const io::CoordinateUnit unit = io::coordinate_unit(layer.crs_wkt);
-  const bool in_degrees = plan.distance.length && is_degrees(*plan.distance.length);
-  if (plan.crs.empty()) {
-    if (unit.angle && !in_degrees) refuse_degrees(layer);
-    return {};
-  }
-  if (in_degrees) throw CallError("--crs is for distances in units of length; leave it out, or write --distance 500m");
-  if (layer.crs_wkt.empty())
-    throw CallError("--crs: the files name no coordinate system; say with --assume-crs in which one they are");
-  if (plan.crs != "auto") return io::same_crs(plan.crs, layer.crs_wkt) ? std::string() : plan.crs;
-  if (!unit.angle) {
-    job.note(fmt::format("--crs auto: {} is projected already; computed in it", io::crs_name(layer.crs_wkt)));
-    return {};
-  }
-  const std::optional<Box> extent = extent_of(layer);
-  if (!extent) return {};
-  const io::WorkingCrs working = io::suitable_crs(layer.crs_wkt, *extent, reach_of(plan, rows));
-  constexpr double large = 0.02, percent = 100;
-  job.note(fmt::format("{}computed in {}, where lengths are true to about {:.2g} %",
-                       working.scale_error > large ? "warning: " : "", io::crs_name(working.wkt),
-                       percent * working.scale_error));
-  return working.wkt;
 }
 
 void note_what_counts_not(const io::Layer& layer, const std::vector<double>& distances, const Arguments& arguments,
@@ -157,11 +92,14 @@ void count(const FeatureView& rows, Statistics& statistics) {
 }
 
 int run(const Arguments& arguments, bool json) {
-  const Plan plan = plan_of(arguments);
+  check(arguments);
+  const BufferPlan plan = buffer_plan(arguments.distance, arguments.tolerance, arguments.crs);
   RowJob job("buffer", {{.label = "input", .paths = arguments.inputs, .where = {}, .keep_others = true}}, arguments.job,
              arguments.rows, json);
   const io::Rows& rows = job.layers().front();
-  const BufferPlane plane(rows, crs_of_plane(plan, rows, job));
+  const PlaneChoice choice = choose_plane(plan, rows);
+  if (!choice.note.empty()) job.note(choice.note);
+  const BufferPlane plane(rows, choice.crs_wkt);
   const std::vector<double> by_row = distances(plan.distance, rows, plane.unit());
   BufferOptions options = arguments.options;
   set_tolerance(options, plan.tolerance, plane.unit());

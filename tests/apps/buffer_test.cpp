@@ -75,6 +75,16 @@ TEST_F(Buffer, GdalReadsTheSameAsOurText) {
   EXPECT_EQ(area(json, {"--distance", "3", "-q"}), of_text);
 }
 
+TEST_F(Buffer, WellKnownBinaryIsReadToo) {
+  const std::string point = "0101000000000000000000F03F0000000000000040";  // (1 2)
+  const std::string straight =                                             // (0 0, 100 0)
+      "010200000002000000"
+      "00000000000000000000000000000000"
+      "00000000000059400000000000000000";
+  EXPECT_EQ(area(point, {"--distance", "3"}), area("POINT (1 2)", {"--distance", "3"}));
+  EXPECT_EQ(area(straight, {"--distance", "2", "--cap", "flat"}), 400);
+}
+
 TEST_F(Buffer, NegativeDistancesShrinkPolygonsOnly) {
   EXPECT_EQ(area(box, {"--distance", "-2"}), 36);
   const ProgramRun done = run(std::string(box) + "\n" + line, {"--distance", "-2"});
@@ -179,6 +189,7 @@ TEST_F(Buffer, CrsAutoMeasuresMetresAnywhere) {
   EXPECT_NEAR(square_metres(out_), pi * 1e6, 0.03 * pi * 1e6);
   refused("SRID=4326;POINT (0 89.9)", {"--distance", "50km", "--crs", "auto"}, "holds a pole", 1);
   refused("SRID=4326;MULTIPOINT (-120 0, 120 0)", {"--distance", "50km", "--crs", "auto"}, "half of the globe", 1);
+  EXPECT_TRUE(contains(run("SRID=4326;POINT EMPTY", {"--distance", "1km", "--crs", "auto"}).err, "nothing is left"));
   EXPECT_TRUE(contains(run("SRID=3035;POINT (4000000 3000000)", {"--distance", "1km", "--crs", "auto"}).err,
                        "projected already"));
 }
