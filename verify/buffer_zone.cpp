@@ -118,8 +118,7 @@ class ZoneCheck {
   }
 
   bool is_within(const Point& p, double bound) const {
-    return std::any_of(features_.begin(), features_.end(),
-                       [&](const Segment& s) { return compare(p, s, bound) <= 0; });
+    return std::any_of(features_.begin(), features_.end(), [&](const Segment& s) { return compare(p, s, bound) <= 0; });
   }
 
   void check_nearest(const Segment& e) {
@@ -152,8 +151,8 @@ class ZoneCheck {
         furthest_ = std::max(furthest_, distance(p, nearest));
         const bool is_near = compare(p, nearest, bounds_.upper) <= 0 || is_within(p, bounds_.upper);
         if (!is_near)
-          return fail("the outline is too far from the shapes, by " + std::to_string(distance(p, nearest) / bounds_.upper) +
-                      " of the bound, at " + text(p));
+          return fail("the outline is too far from the shapes, by " +
+                      std::to_string(distance(p, nearest) / bounds_.upper) + " of the bound, at " + text(p));
       }
       const bool near_one = std::any_of(features_.begin(), features_.end(), [&](const Segment& s) {
         return compare(part.a, s, bounds_.upper) <= 0 && compare(part.b, s, bounds_.upper) <= 0;
@@ -171,8 +170,8 @@ class ZoneCheck {
         const Where found = where(p, zone_);
         const bool is_wrong = inward_ ? found == Where::inside : found == Where::outside;
         const bool is_excused = bounds_.slack > 0 && std::any_of(zone_.begin(), zone_.end(), [&](const Segment& e) {
-          return distance(p, e) <= bounds_.slack;
-        });
+                                  return distance(p, e) <= bounds_.slack;
+                                });
         if (is_wrong && !is_excused)
           return fail("a vertex of the shapes is on the wrong side of the outline: " + text(p));
       }

@@ -4,10 +4,10 @@
 //   outline    no point of it is nearer to the shapes than `lower`, or further away than `upper`
 //   inside     shapes and everything nearer than `lower` are in the zone; everything further than `upper` is not
 //
-// If the outline keeps its bounds, all places that are nearer than `lower` and connected with each other are in the zone
-// together, or are not. Each such set holds a vertex of the shapes, so testing these vertices proves it for all places.
-// Places further than `upper` may lie in holes of the zone that it lacks; these are tested by sample: random points,
-// middles of pairs of vertices, and centres of circles through three vertices.
+// If the outline keeps its bounds, all places that are nearer than `lower` and connected with each other are in the
+// zone together, or are not. Each such set holds a vertex of the shapes, so testing these vertices proves it for all
+// places. Places further than `upper` may lie in holes of the zone that it lacks; these are tested by sample: random
+// points, middles of pairs of vertices, and centres of circles through three vertices.
 //
 // Bounds are decided in doubles with a margin, and in doubt exactly, with rationals.
 #pragma once
@@ -35,10 +35,10 @@ struct ZoneOf {
 };
 
 struct ZoneBounds {
-  double lower, upper;        ///< distances
-  bool check_lower = true;    ///< false: of a zone whose outline may come nearer, as with flat caps
-  double slack = 0;           ///< so far shapes may stick out: bevels and flat caps go through their own corners
-  bool holds_lines = true;    ///< false: of a zone on one side of its lines
+  double lower, upper;      ///< distances
+  bool check_lower = true;  ///< false: of a zone whose outline may come nearer, as with flat caps
+  double slack = 0;         ///< so far shapes may stick out: bevels and flat caps go through their own corners
+  bool holds_lines = true;  ///< false: of a zone on one side of its lines
   std::uint32_t samples = 100;
   std::uint64_t seed = 1;
 };

@@ -64,7 +64,7 @@ void add(CLI::App& program, Invocation& invocation, const Command& command, cons
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* added = program.add_subcommand(command.word, what);
   added->footer(footer);
-  added->add_option("IN", arguments->in, "a vector file, a folder, or `-` for WKT on standard input")
+  added->add_option("IN", arguments->in, input_help)
       ->required()
       ->type_name("");
   const std::string other = command.other;

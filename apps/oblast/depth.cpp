@@ -9,9 +9,9 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-Row `depth` = d is where exactly d features lie over each other, d from 1 on. With --by
-not the features count but the different values of the column that they have; null is a
-value, too.
+The row with `depth` = d is where exactly d features lie over each other, d from 1 on.
+With --by, d is the number of different values that these features have in the column.
+Null counts as a value.
 
 Example: on how many days each place burnt
   oblast depth fires/ -o days.gpkg --by day --area m2)";

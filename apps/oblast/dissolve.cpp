@@ -11,9 +11,9 @@ namespace oblast::app {
 namespace {
 
 constexpr const char* footer = R"(
-The features with the same values in the columns of --by become one row; without --by
-all features do. Rows are in the order of these values, ascending. Features with a null
-there are a row of their own, at the end.
+Features with the same values in the columns of --by become one row. Without --by, all
+features become one row. Rows are sorted by these values. Features without a value (null)
+become a row of their own, at the end.
 
 Without --agg the other columns keep the first value of the group that is not null. With
 --agg only the columns that it names are kept. If it names a column several times, the

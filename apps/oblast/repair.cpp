@@ -150,7 +150,7 @@ void add_repair(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("repair", "Make features valid, or make a coverage of them; attributes are kept.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, "vector files or folders; `-`: WKT on standard input")
+  command->add_option("IN", arguments->inputs, input_help)
       ->required()
       ->type_name("");
   add_coverage_options(*command, *arguments);

@@ -18,8 +18,8 @@
 namespace oblast {
 
 /// Lines in a caller's arrays, viewed without copying them. Line l is the open path through the points
-/// [line_ends[l-1], line_ends[l]). A line whose last point is its first has no ends. Lines may cross themselves and each
-/// other. A line of one point, or of equal points, is a point.
+/// [line_ends[l-1], line_ends[l]). A line whose last point is its first has no ends. Lines may cross themselves and
+/// each other. A line of one point, or of equal points, is a point.
 struct LineView {
   std::span<const Point> points;
   std::span<const std::uint32_t> line_ends;  ///< not decreasing; the last one is the number of points
@@ -60,14 +60,14 @@ enum class BufferMode {
 
 /// What a call did. A call that succeeds fills it if BufferOptions::statistics points to one.
 struct BufferStatistics {
-  std::uint64_t directions = 0;     ///< of the arcs, in a whole circle
-  std::uint64_t corners = 0;        ///< vertices of the outlines that were offset
-  std::uint64_t closed_pockets = 0; ///< see `buffer`
-  std::uint64_t folded_pieces = 0;  ///< pieces that rounding folded; the hull of their vertices takes their place
-  double lower_factor = 1;          ///< the outline is not nearer than this times d, less `rounding`
-  double upper_factor = 1;          ///< the outline is not further than this times d, and `rounding`
-  double rounding = 0;              ///< C, in units of the coordinates: 48 units in the last place of the largest one
-  Statistics overlay;               ///< of the union of all pieces
+  std::uint64_t directions = 0;      ///< of the arcs, in a whole circle
+  std::uint64_t corners = 0;         ///< vertices of the outlines that were offset
+  std::uint64_t closed_pockets = 0;  ///< see `buffer`
+  std::uint64_t folded_pieces = 0;   ///< pieces that rounding folded; the hull of their vertices takes their place
+  double lower_factor = 1;           ///< the outline is not nearer than this times d, less `rounding`
+  double upper_factor = 1;           ///< the outline is not further than this times d, and `rounding`
+  double rounding = 0;               ///< C, in units of the coordinates: 48 units in the last place of the largest one
+  Statistics overlay;                ///< of the union of all pieces
 };
 
 /// The options of a buffer.
@@ -91,8 +91,8 @@ struct BufferOptions : CallOptions {
 /// The result is closed, canonical, the same on every machine, and local: promises G2, G3, G3b, G7.
 /// Distance: round joins and caps keep the outline within the bounds of BufferOptions::mode. So do the other joins and
 /// caps along edges, but not around corners and ends.
-/// Containment: a zone of positive distance holds the shapes, one of negative distance lies in the regions: exactly, but
-/// for bevels and flat caps, which go through corners and ends of the shapes, and may leave them out by C.
+/// Containment: a zone of positive distance holds the shapes, one of negative distance lies in the regions: exactly,
+/// but for bevels and flat caps, which go through corners and ends of the shapes, and may leave them out by C.
 /// Monotone: with the same relative tolerance, a larger distance gives a larger zone, up to C, or, where pockets are
 /// closed, up to the bounds.
 /// Where edges are much shorter than the distance, pockets are closed that are too narrow to change the outline by more

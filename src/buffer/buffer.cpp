@@ -74,8 +74,8 @@ void add(const BufferStatistics& row, BufferStatistics& all) {
   for (int stage = 0; stage < stage_count; ++stage) overlay.seconds[stage] += row.overlay.seconds[stage];
 }
 
-FeatureSet zones_of_rows(const ShapeFeatures& features, std::span<const double> distances,
-                         const BufferOptions& options, Control& control) {
+FeatureSet zones_of_rows(const ShapeFeatures& features, std::span<const double> distances, const BufferOptions& options,
+                         Control& control) {
   const RowShapes rows(features, distances.size());
   const std::size_t count = distances.size(), vertices = vertices_of(features.shapes);
   struct Row {
@@ -119,8 +119,7 @@ RegionSet buffer(const ShapeView& shapes, double distance, const BufferOptions& 
   });
 }
 
-FeatureSet buffer_rows(const ShapeFeatures& features, std::span<const double> distances,
-                       const BufferOptions& options) {
+FeatureSet buffer_rows(const ShapeFeatures& features, std::span<const double> distances, const BufferOptions& options) {
   check_buffer_options(options);
   for (std::size_t f = 0; f < distances.size(); ++f) check_distance(distances[f], " of row " + std::to_string(f));
   return public_call(options, options.statistics != nullptr, vertices_of(features.shapes), [&](Control& control) {

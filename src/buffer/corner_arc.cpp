@@ -102,9 +102,12 @@ Point moved(const Point& from, const Point& by, double factor) {
 void append_join(const ZoneShape& shape, const CornerNormals& corner, Array<Point>& outline) {
   Arc arc(shape, corner, outline);
   switch (shape.join) {
-    case Join::round: return arc.add_round();
-    case Join::mitre: return arc.add_mitre();
-    default: arc.add_from(), arc.add_to();
+    case Join::round:
+      return arc.add_round();
+    case Join::mitre:
+      return arc.add_mitre();
+    default:
+      arc.add_from(), arc.add_to();
   }
 }
 

@@ -23,10 +23,14 @@ std::size_t quadrant_of(const Point& u) {
 /// Turned by so many quarters, counter-clockwise.
 Point turned(const Point& u, std::size_t quarters) {
   switch (quarters & 3) {
-    case 0: return u;
-    case 1: return {-u.y, u.x};
-    case 2: return {-u.x, -u.y};
-    default: return {u.y, -u.x};
+    case 0:
+      return u;
+    case 1:
+      return {-u.y, u.x};
+    case 2:
+      return {-u.x, -u.y};
+    default:
+      return {u.y, -u.x};
   }
 }
 

@@ -45,7 +45,7 @@ class Directions {
   std::size_t first_after(const Point& u) const;
   std::size_t last_before(const Point& u) const;
 
-  std::size_t quarter_;       ///< directions in a quadrant
+  std::size_t quarter_;          ///< directions in a quadrant
   Array<Point> first_quadrant_;  ///< quarter_ + 1 directions, from (1, 0) to (0, 1)
 };
 

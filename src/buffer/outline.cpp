@@ -103,10 +103,9 @@ class OutlineWriter {
     const CornerNormals corner{walk[i].at, normals_[before], normals_[i], distance};
     const Point from = moved(corner.at, corner.from, distance), to = moved(corner.at, corner.to, distance);
     const Corner kind = walk[i].corner;
-    const bool is_bare =
-        kind == Corner::bare || walk[before].edge == WalkEdge::bare || walk[i].edge == WalkEdge::bare;
-    const bool is_flat = kind == Corner::end ? shape_.cap == Cap::flat
-                                             : shape_.join == Join::bevel && turns_right_back(corner);
+    const bool is_bare = kind == Corner::bare || walk[before].edge == WalkEdge::bare || walk[i].edge == WalkEdge::bare;
+    const bool is_flat =
+        kind == Corner::end ? shape_.cap == Cap::flat : shape_.join == Join::bevel && turns_right_back(corner);
     if (!is_bare && !is_flat) {
       const int turn = exact::orientation(walk[before].at, corner.at, walk[after(walk, i)].at);
       const bool turns_back = dot(corner.from, corner.to) < 0;

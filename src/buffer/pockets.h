@@ -7,8 +7,8 @@
 //
 // A chain of neighbouring vertices is replaced by the side of its hull that is on its right. For a simple chain between
 // two corners of its hull, the lids and the chain enclose the pockets with winding number 1, so the walk still winds
-// around everything it did, and around the pockets. Of a line, which may cross itself, both sides of the hull are taken:
-// together they wind around the hull once.
+// around everything it did, and around the pockets. Of a line, which may cross itself, both sides of the hull are
+// taken: together they wind around the hull once.
 //
 // Ends of lids are vertices of the input. Which ones depends on the path alone: on its vertices from its first one on.
 #pragma once
@@ -23,9 +23,10 @@
 
 namespace oblast::internal::buffering {
 
-/// A path, with the pockets on its right closed, and with those on its left closed. Both begin and end as the path does.
+/// A path, with the pockets on its right closed, and with those on its left closed. Both begin and end as the path
+/// does.
 struct ClosedPath {
-  Walk right, left;          ///< the last vertex has no edge
+  Walk right, left;           ///< the last vertex has no edge
   std::uint64_t pockets = 0;  ///< lids on both sides
 };
 

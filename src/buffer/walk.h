@@ -35,8 +35,9 @@ struct WalkVertex {
 
 using Walk = Array<WalkVertex>;
 
-/// A path without vertices that are so near to the one before that their pieces would be lost in rounding: what rounding
-/// did to them could open cracks in other pieces. The first and the last point stay. `is_near(p, q)`: q is so near to p.
+/// A path without vertices that are so near to the one before that their pieces would be lost in rounding: what
+/// rounding did to them could open cracks in other pieces. The first and the last point stay. `is_near(p, q)`: q is so
+/// near to p.
 template <class IsNear>
 Array<Point> without_near(std::span<const Point> path, const IsNear& is_near) {
   Array<Point> kept;

@@ -20,9 +20,12 @@ double relative_tolerance(double distance, const BufferOptions& options) {
 
 double arc_cosine(double tolerance, BufferMode mode) {
   switch (mode) {
-    case BufferMode::nearest: return (1 - tolerance) / (1 + tolerance);
-    case BufferMode::inside: return 1 - tolerance;
-    default: return 1 / (1 + tolerance);
+    case BufferMode::nearest:
+      return (1 - tolerance) / (1 + tolerance);
+    case BufferMode::inside:
+      return 1 - tolerance;
+    default:
+      return 1 / (1 + tolerance);
   }
 }
 
@@ -56,11 +59,12 @@ ZoneShape::ZoneShape(double asked, const BufferOptions& options)
   }
 }
 
-// Rounding. E = 12 units in the last place of the largest coordinate of an edge bounds what moves its side: a unit normal
-// and its multiple are off by at most 5 * 2^-53 of the distance, which is at most 5 units; the sum with the corner by
-// half a unit in each coordinate; a vertex that is left out was within 4 units of another one; noding moves edges by at
-// most 2 units (docs/guarantees.md). Distances below 2 E are widened to 2 E, so that the zone holds the shapes whatever
-// noding moves; the modes inside and outside keep clear of the distance by E. So C = 48 units bound everything.
+// Rounding. E = 12 units in the last place of the largest coordinate of an edge bounds what moves its side: a unit
+// normal and its multiple are off by at most 5 * 2^-53 of the distance, which is at most 5 units; the sum with the
+// corner by half a unit in each coordinate; a vertex that is left out was within 4 units of another one; noding moves
+// edges by at most 2 units (docs/guarantees.md). Distances below 2 E are widened to 2 E, so that the zone holds the
+// shapes whatever noding moves; the modes inside and outside keep clear of the distance by E. So C = 48 units bound
+// everything.
 constexpr double moving_units = 12, left_out_units = 4, rounding_units = 48;
 
 double ZoneShape::distance_at(double largest) const {

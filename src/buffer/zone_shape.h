@@ -1,7 +1,7 @@
 // What pieces look like, and how far they reach: worked out once a call from the distance and the options.
 //
-// Bounds. With f the relative tolerance, an arc has its vertices at the distance `reach` from its corner, and its chords
-// come as near as `reach` times the cosine of half the angle between two directions of the grid:
+// Bounds. With f the relative tolerance, an arc has its vertices at the distance `reach` from its corner, and its
+// chords come as near as `reach` times the cosine of half the angle between two directions of the grid:
 //
 //   mode      vertices at              chords not nearer than           so the cosine must be at least
 //   nearest   at most (1 + f) d        (1 + f) d cos                    (1 - f) / (1 + f)

@@ -53,6 +53,7 @@ Panels lay_out(const Picture& picture, const Window& window, double header) {
   const Window padded{window.x0 - window.width() * 0.02, window.y0 - window.height() * 0.02,
                       window.x1 + window.width() * 0.02, window.y1 + window.height() * 0.02};
   RegionView dense = picture.result.points.empty() ? picture.a : picture.result;
+  if (!picture.classes.empty()) dense = picture.classes.front().regions;  // the operands are not drawn
   for (const PictureClass& rows : picture.classes)
     if (rows.regions.points.size() > dense.points.size()) dense = rows.regions;
 

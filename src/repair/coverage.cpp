@@ -8,8 +8,8 @@
 #include "base/public_call.h"
 #include "base/stage_shares.h"
 #include "features/validate_features.h"
-#include "repair/feature_regions.h"
 #include "regions/join_features.h"
+#include "repair/feature_regions.h"
 #include "repair/owned_pieces.h"
 #include "repair/same_region.h"
 

@@ -7,9 +7,9 @@
 #include "base/public_call.h"
 #include "features/validate_features.h"
 #include "overlay/pipeline.h"
+#include "regions/join_features.h"
 #include "repair/append_regions.h"
 #include "repair/feature_regions.h"
-#include "regions/join_features.h"
 #include "repair/ordered_ring.h"
 
 namespace oblast {

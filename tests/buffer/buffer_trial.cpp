@@ -102,8 +102,8 @@ class BufferTrial {
       options_.statistics = nullptr;
       if (const auto fault = verify::check_result(zone)) return BufferFailure{BrokenBuffer::closed, fault->what};
       if (const auto fault = fault_of_bounds(zone)) return BufferFailure{BrokenBuffer::bounds, fault->what};
-      if (buffer(shuffled(question_.shapes, options_.side, options_.fill, seed_).view(), question_.distance, options_) !=
-          zone)
+      if (buffer(shuffled(question_.shapes, options_.side, options_.fill, seed_).view(), question_.distance,
+                 options_) != zone)
         return BufferFailure{BrokenBuffer::order, "other bytes"};
       if (!is_local(zone)) return BufferFailure{BrokenBuffer::far, "other bytes"};
       if (seed_ % 4 == 0 && !is_the_same_by_threads(zone)) return BufferFailure{BrokenBuffer::threads, "other bytes"};
@@ -116,7 +116,9 @@ class BufferTrial {
   }
 
  private:
-  bool round() const { return options_.join == Join::round && options_.cap == Cap::round && options_.side == Side::both; }
+  bool round() const {
+    return options_.join == Join::round && options_.cap == Cap::round && options_.side == Side::both;
+  }
 
   verify::ZoneBounds bounds() const {
     const double d = std::fabs(question_.distance);
@@ -168,8 +170,7 @@ class BufferTrial {
 
   /// A flat cap makes nothing of a point, and what is smaller than rounding may stick out of it.
   static void drop_points(verify::ZoneOf& shapes, double rounding) {
-    std::erase_if(shapes.segments,
-                  [&](const auto& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y) <= rounding; });
+    std::erase_if(shapes.segments, [&](const auto& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y) <= rounding; });
   }
 
   void note(const verify::ZoneBounds& bounds, const verify::ZoneDistances& distances) const {
@@ -217,13 +218,13 @@ class BufferTrial {
 
   bool is_the_same_as_row(const RegionSet& zone) const {
     const ShapeView view = question_.shapes.view();
-    const std::vector<std::uint32_t> rows(std::max({view.regions.polygon_count(), view.lines.size(), view.points.size()}),
-                                          1);
+    const std::vector<std::uint32_t> rows(
+        std::max({view.regions.polygon_count(), view.lines.size(), view.points.size()}), 1);
     const std::span<const std::uint32_t> all = rows;
     const double distances[] = {1, question_.distance};
-    const FeatureSet set = buffer_rows({view, all.first(view.regions.polygon_count()), all.first(view.lines.size()),
-                                        all.first(view.points.size())},
-                                       distances, options_);
+    const FeatureSet set = buffer_rows(
+        {view, all.first(view.regions.polygon_count()), all.first(view.lines.size()), all.first(view.points.size())},
+        distances, options_);
     return set.size() == 2 && set.feature_ends[0] == 0 && set.regions == zone;
   }
 

@@ -153,6 +153,23 @@ TEST(Picture, ManyLargeContoursAreLeftOutAloud) {
   EXPECT_NE(svg.find("left out, because the picture would become too large"), std::string::npos);
 }
 
+// Operands are not drawn then, so a place where only they have many vertices shows nothing.
+TEST(Picture, OfClassesEnlargesAPlaceOfTheClasses) {
+  RegionSet operand, rows;
+  for (int k = 0; k < 5000; ++k) append(operand, square(100 + k % 70, 100 + k / 70, 0.5));
+  append(rows, square(0, 0, 1000));
+  for (int k = 0; k < 900; ++k) append(rows, square(900 + k % 30, 500 + k / 30, 0.5));
+  Picture picture;
+  picture.a = operand;
+  picture.classes.push_back({rows, "#0072b2", "row"});
+  const std::string svg = to_svg(picture);
+  std::smatch label;
+  ASSERT_TRUE(std::regex_search(svg, label, std::regex("<text x=\"([0-9.]+)\"[^>]*>enlarged<")));
+  std::smatch panel;
+  ASSERT_TRUE(std::regex_search(svg, panel, std::regex("<rect x=\"([0-9.]+)\" y=\"[0-9.]+\" width=\"([0-9.]+)\"")));
+  EXPECT_GT(std::stod(label[1]), std::stod(panel[1]) + std::stod(panel[2]) / 2);
+}
+
 TEST(Picture, WritesAllOrNothing) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("oblast-picture-" + std::to_string(std::random_device{}()));

@@ -210,6 +210,15 @@ void add_rows(const Add& add, const RegionSet& a, const RegionSet& b) {
     coverage.gaps_below = coverage.slivers_below = 1;
     return repair_coverage({a, {}}, coverage);
   });
+  add("buffer", [&](const CallOptions& call) {
+    BufferOptions options = with<BufferOptions>(call);
+    options.mode = BufferMode::outside;
+    return buffer({a, {b.points, b.contour_ends}, std::span(b.points).first(std::min<std::size_t>(3, b.points.size()))},
+                  0.37, options);
+  });
+  add("buffer_rows", [&, groups](const CallOptions& call) {
+    return buffer_rows({{a, {}, {}}, groups, {}, {}}, std::array{0.25, -0.125, 1.5}, with<BufferOptions>(call));
+  });
   add("partition", [&](const CallOptions& call) {
     const FeatureView layers[] = {{a, {}}, {b, {}}};
     return partition(layers, with<Options>(call));
