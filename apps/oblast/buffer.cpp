@@ -18,8 +18,9 @@ namespace {
 constexpr const char* footer = R"(
 The zone of all polygons, lines and points together, as one row; with --by-feature a row
 for each feature, with its attributes. A negative distance gives the places inside the
-polygons that are further than that from their outlines. The zone always holds its input
-(or lies in it), is valid, and its outline is as near to the true one as --tolerance says.
+polygons that are further than that from their outlines. The zone is valid. Its outline is
+as near to the true one as --tolerance says. The zone holds its input, or lies in it; with
+bevels, flat caps or --crs there may be rounding in the last digits.
 
 A distance without a unit is in the unit of the coordinates. Longitudes and latitudes
 have no unit of length: with `--crs auto` such a layer is computed in a projected system
