@@ -33,6 +33,7 @@ void add_erase(CLI::App& program, Invocation& invocation);
 void add_dissolve(CLI::App& program, Invocation& invocation);
 void add_depth(CLI::App& program, Invocation& invocation);
 void add_partition(CLI::App& program, Invocation& invocation);
+void add_buffer(CLI::App& program, Invocation& invocation);
 void add_repair(CLI::App& program, Invocation& invocation);
 void add_check(CLI::App& program, Invocation& invocation);
 void add_triangulate(CLI::App& program, Invocation& invocation);

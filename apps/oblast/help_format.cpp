@@ -42,8 +42,10 @@ std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) con
     if (option->get_positional()) usage += " " + make_option_usage(option);
   if (!app->get_subcommands({}).empty()) usage += " COMMAND";
   for (const CLI::Option* option : app->get_options()) {
-    if (option->nonpositional() && option->get_required())
-      usage += " -" + option->get_snames().front() + make_option_opts(option);
+    if (!option->nonpositional() || !option->get_required()) continue;
+    const bool has_short = !option->get_snames().empty();
+    const std::string word = has_short ? "-" + option->get_snames().front() : "--" + option->get_lnames().front();
+    usage += " " + word + make_option_opts(option);
   }
   return usage + " [OPTIONS]\n";
 }

@@ -62,7 +62,7 @@ std::vector<std::string> reading_notes(const std::string& label, const io::Layer
                         layer.files.size() == 1 ? layer.files.front() : counted(r.swapped, "file")));
   if (r.beyond_pole) warning(counted(r.beyond_pole, "vertex") + " with a latitude beyond 90 degrees");
   if (r.across_date_line)
-    warning(counted(r.across_date_line, "polygon") +
+    warning(counted(r.across_date_line, layer.others.line_ends.empty() ? "polygon" : "polygon or line") +
             " across the date line; the plane ends there, so cut them at 180 degrees of longitude first");
   return notes;
 }

@@ -33,6 +33,24 @@ On how many different days each place burnt, coloured by that number:
 
     oblast depth fires/ --by day -o days.gpkg --area m2 --svg days.svg
 
+## Everything within a distance (buffer)
+
+Everything within 500 m of a road, as one area:
+
+    oblast buffer roads.geojson --distance 500m -o near.gpkg
+
+Parcels without a strip of 10 m along their outlines, each with its attributes:
+
+    oblast buffer parcels.gpkg --distance -10m --by-feature -o inner.gpkg
+
+A zone of 20 m on the left side of each river, with flat ends:
+
+    oblast buffer rivers.geojson --distance 20m --side left --cap flat --by-feature -o bank.gpkg
+
+Longitudes and latitudes have no metres: compute in a projected system, and come back:
+
+    oblast buffer stops.geojson --distance 0.5km --crs auto -o walk.geojson
+
 ## Find overlaps in a layer that should have none
 
 The places that two or more features cover:

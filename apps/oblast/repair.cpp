@@ -104,7 +104,7 @@ int run(const Arguments& arguments, bool json) {
 
   ResultColumns columns;
   for (const std::size_t c : selected(layer.table, arguments.rows.select)) columns.join(layer.table, c, kept);
-  job.add_to_summary(report.to_json());
+  job.add_to_summary(report.to_json(), false);
   const int code = job.finish(rows, std::move(columns), {"repair", ""});
   if (!json && !arguments.job.quiet) fmt::print(stderr, "{}", report.to_text());
   return code;

@@ -13,6 +13,7 @@
 #include "io/write_rows.h"
 #include "oblast/interrupt.h"
 #include "oblast/names.h"
+#include "oblast/picture_shapes.h"
 #include "oblast/row_colour.h"
 
 namespace oblast::app {
@@ -77,7 +78,9 @@ RowJob::RowJob(std::string command, std::vector<RowInput> inputs, const JobArgum
     };
     show(0);
     io::ReadOptions options = read_options(arguments_.input, arguments_.output.output);
-    options.other = arguments_.strict ? io::OtherGeometry::refuse : io::OtherGeometry::count_and_skip;
+    options.other = input.keep_others   ? io::OtherGeometry::keep
+                    : arguments_.strict ? io::OtherGeometry::refuse
+                                        : io::OtherGeometry::count_and_skip;
     options.where = input.where.value_or(row_arguments_.where);
     options.threads = arguments_.options.threads;
     options.progress = show;
@@ -143,7 +146,11 @@ void RowJob::check_colour(const ResultColumns& columns) const {
 
 void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, const RowPicture& picture) {
   JobPicture drawn{{}, paths_of(inputs_), rows.regions, picture.operation, {}};
-  for (const io::Rows& layer : layers_) drawn.layers.push_back(&layer.layer);
+  std::deque<io::Layer> with_others;
+  for (const io::Rows& layer : layers_) {
+    const bool only_polygons = layer.layer.others.line_ends.empty() && layer.layer.others.points.empty();
+    drawn.layers.push_back(only_polygons ? &layer.layer : &with_others.emplace_back(drawable(layer.layer)));
+  }
   const std::string& colour = row_arguments_.colour.empty() ? picture.colour : row_arguments_.colour;
   if (const io::OutputColumn* column = find_column(columns.columns, colour)) {
     drawn.classes = colour_classes(rows, *column);

@@ -1,4 +1,5 @@
-// The common part of the commands whose results are rows: `overlay`, `dissolve`, `depth` and `partition`.
+// The common part of the commands whose results are rows: `overlay`, `dissolve`, `depth`, `partition`, `repair` and
+// `buffer`.
 #pragma once
 
 #include <oblast/features.h>
@@ -55,6 +56,7 @@ struct RowInput {
   std::string label;
   std::vector<std::string> paths;
   std::optional<std::string> where = {};  ///< in place of RowArguments::where
+  bool keep_others = false;               ///< lines and points are wanted, too
 };
 
 /// Reads the inputs, computes, writes and reports.
@@ -69,11 +71,12 @@ class RowJob {
   /// Calls `run` with the options; errors get the names of file and feature.
   void compute(const std::function<void(const Options&)>& run);
 
-  /// Members of the summary that only this command has, which does not count intersections.
-  void add_to_summary(nlohmann::ordered_json members) {
+  /// Members of the summary that only this command has. `noded`: it counts intersections, as overlays do.
+  void add_to_summary(nlohmann::ordered_json members, bool noded) {
     summary_.more = std::move(members);
-    summary_.noded = false;
+    summary_.noded = noded;
   }
+  void note(std::string text) { notes_.push_back(std::move(text)); }
 
   /// Writes the rows, draws if a picture is wanted, and prints notes and the summary. Returns an exit code.
   int finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture);

@@ -33,6 +33,13 @@ std::string notes(const OperandSummary& operand) {
   return text;
 }
 
+std::string others(const OperandSummary& operand) {
+  std::string text;
+  if (operand.lines > 0) text += ", " + counted(operand.lines, "line");
+  if (operand.points > 0) text += ", " + counted(operand.points, "point");
+  return text;
+}
+
 std::string stage_times(const Summary& summary) {
   std::string text = fmt::format("{:.3f} s: read {:.3f}", summary.seconds_total, summary.seconds_read);
   for (int stage = 0; stage < stage_count; ++stage) {
@@ -58,6 +65,8 @@ Json to_json(const OperandSummary& operand) {
               {"polygons", operand.polygons},
               {"contours", operand.contours},
               {"vertices", operand.vertices},
+              {"lines", operand.lines},
+              {"points", operand.points},
               {"null_geometries", r.null_geometries},
               {"empty_geometries", r.empty_geometries},
               {"lines_passed_over", r.lines},
@@ -95,8 +104,15 @@ void report(const Summary& summary, bool json, bool quiet) {
 
 OperandSummary summarise(const std::string& label, const std::vector<std::string>& paths, const io::Layer& layer) {
   const RegionView view = layer.regions;
-  return {
-      label, paths, layer.report, layer.files.size(), view.polygon_count(), view.contour_count(), view.points.size()};
+  return {label,
+          paths,
+          layer.report,
+          layer.files.size(),
+          view.polygon_count(),
+          view.contour_count(),
+          view.points.size(),
+          layer.others.line_ends.size(),
+          layer.others.points.size()};
 }
 
 std::string to_text(const Summary& summary) {
@@ -104,9 +120,10 @@ std::string to_text(const Summary& summary) {
   std::string text =
       fmt::format("{} -> {}\n", summary.command, summary.output == "-" ? "standard output" : summary.output);
   for (const OperandSummary& operand : summary.operands) {
-    text += line(operand.label, fmt::format("{}, {}, {}, {}", counted(operand.files, "file"),
-                                            counted(operand.report.features, "feature"),
-                                            counted(operand.contours, "contour"), counted(operand.vertices, "vertex")));
+    text += line(
+        operand.label,
+        fmt::format("{}, {}, {}, {}{}", counted(operand.files, "file"), counted(operand.report.features, "feature"),
+                    counted(operand.contours, "contour"), counted(operand.vertices, "vertex"), others(operand)));
     if (const std::string said = notes(operand); !said.empty()) text += line("", said);
   }
   const std::string rows = summary.rows ? counted(*summary.rows, "row") + ", " : "";

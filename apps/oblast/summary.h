@@ -20,6 +20,8 @@ struct OperandSummary {
   std::uint64_t polygons = 0;
   std::uint64_t contours = 0;
   std::uint64_t vertices = 0;
+  std::uint64_t lines = 0;   ///< that were kept
+  std::uint64_t points = 0;  ///< that were kept
 };
 
 struct Summary {

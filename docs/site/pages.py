@@ -22,6 +22,7 @@ HEADERS = [
     "check",
     "check_features",
     "repair",
+    "buffer",
     "hull",
     "triangulate",
     "locator",

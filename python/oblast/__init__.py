@@ -6,10 +6,11 @@
 >>> oblast.overlay(a, b, "union").area
 7.0
 
-`oblast.geopandas` has overlay, dissolve, union_all and clip with geopandas' signatures.
+`oblast.geopandas` has overlay, dissolve, union_all, clip and buffer with geopandas' signatures.
 """
 
 from oblast import _core
+from oblast._buffer import buffer
 from oblast._convert import Operand, from_arrow, from_ragged, from_shapely, from_wkb
 from oblast._errors import OblastError
 from oblast._fallbacks import Fallback, fallbacks
@@ -54,6 +55,7 @@ __all__ = [
     "Statistics",
     "Triangulation",
     "Workspace",
+    "buffer",
     "check",
     "clip",
     "depth",

@@ -13,7 +13,16 @@ from oblast._regions import Regions
 from oblast._settings import settings_of
 from oblast._z import ZRule, z_left_out
 
-__all__ = ["Operand", "from_arrow", "from_ragged", "from_shapely", "from_wkb", "regions_of"]
+__all__ = [
+    "Operand",
+    "from_arrow",
+    "from_ragged",
+    "from_shapely",
+    "from_wkb",
+    "geometry_array",
+    "is_sequence_of",
+    "regions_of",
+]
 
 
 class _ArrowArray(Protocol):
@@ -146,10 +155,10 @@ def from_shapely(geometries: Any, *, z: ZRule = "warn") -> Regions:
     """
     from oblast._shapely import from_shapely as convert
 
-    return convert(_geometry_array(geometries), z)
+    return convert(geometry_array(geometries), z)
 
 
-def _geometry_array(given: Any) -> Any:
+def geometry_array(given: Any) -> Any:
     """The geometries of a GeoDataFrame, a GeoSeries or a GeometryArray; anything else as it is."""
     column = getattr(given, "geometry", None) if hasattr(given, "columns") else given
     return np.asarray(column) if hasattr(column, "crs") else column
@@ -195,7 +204,8 @@ def from_arrow(
     return Regions._of(arrays)
 
 
-def _is_sequence_of(given: Any, kind: type) -> bool:
+def is_sequence_of(given: Any, kind: type) -> bool:
+    """Whether the first item that is not None is of this kind."""
     first = next((item for item in given if item is not None), None)
     return isinstance(first, kind)
 
@@ -213,7 +223,7 @@ def regions_of(given: Operand) -> Regions:
     if hasattr(given, "__arrow_c_array__") or hasattr(given, "__arrow_c_stream__"):
         return from_arrow(given)
     if isinstance(given, list | np.ndarray):
-        return from_wkb(given) if _is_sequence_of(given, bytes) else from_shapely(given)
+        return from_wkb(given) if is_sequence_of(given, bytes) else from_shapely(given)
     raise TypeError(
         f"{type(given).__name__} is no operand: expected Regions, ragged arrays, Arrow, WKB, shapely geometries "
         "or a GeoSeries"

@@ -30,6 +30,7 @@ NB_MODULE(_core, module) {
   bind_settings(module);
   bind_overlays(module);
   bind_rows(module);
+  bind_buffer(module);
   bind_pairs(module);
   bind_locator(module);
   bind_wkb(module);

@@ -10,6 +10,7 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+import shapely
 
 import oblast
 from shapes import square, tangle
@@ -57,6 +58,7 @@ def test_the_interpreter_is_free_during_a_call() -> None:
         lambda: oblast.overlay_features(tangle(SLOW), tangle(SLOW, 1)),
         lambda: oblast.check(tangle(12 * SLOW)),
         lambda: oblast.overlay_pairs(tangle(SLOW), square()),
+        lambda: oblast.buffer(shapely.LineString(tangle(SLOW).points), 1e-4),
     ],
 )
 def test_ctrl_c_stops_a_call(call) -> None:

@@ -1,4 +1,4 @@
-// Polygons out of geometries; see gdal_geometry.h.
+// Polygons, lines and points out of geometries; see gdal_geometry.h.
 #include "io/gdal_geometry.h"
 
 namespace oblast::io {
@@ -17,6 +17,18 @@ void add_polygon(const OGRPolygon& polygon, LayerBuilder& builder, std::vector<P
   builder.begin_polygon();
   add_rings(polygon, builder, scratch);
   builder.end_polygon();
+}
+
+void add_line(const OGRLineString& line, LayerBuilder& builder, std::vector<Point>& scratch) {
+  if (!builder.keeps_others()) return builder.line(line.getGeometryName());
+  scratch.resize(line.getNumPoints());
+  if (!scratch.empty()) line.getPoints(&scratch[0].x, sizeof(Point), &scratch[0].y, sizeof(Point));
+  builder.add_line(scratch);
+}
+
+void add_point(const OGRPoint& point, LayerBuilder& builder) {
+  if (!builder.keeps_others()) return builder.point(point.getGeometryName());
+  if (!point.IsEmpty()) builder.add_point({point.getX(), point.getY()});
 }
 
 [[noreturn]] void refuse_type(const OGRGeometry& geometry, const LayerBuilder& builder) {
@@ -40,11 +52,17 @@ void add_geometry(const OGRGeometry& geometry, LayerBuilder& builder, std::vecto
       for (const OGRGeometry* member : geometry.toGeometryCollection()) add_geometry(*member, builder, scratch);
       return;
     case wkbLineString:
+      return add_line(*geometry.toLineString(), builder, scratch);
     case wkbMultiLineString:
-      return builder.line(geometry.getGeometryName());
+      if (!builder.keeps_others()) return builder.line(geometry.getGeometryName());
+      for (const OGRLineString* line : geometry.toMultiLineString()) add_line(*line, builder, scratch);
+      return;
     case wkbPoint:
+      return add_point(*geometry.toPoint(), builder);
     case wkbMultiPoint:
-      return builder.point(geometry.getGeometryName());
+      if (!builder.keeps_others()) return builder.point(geometry.getGeometryName());
+      for (const OGRPoint* point : geometry.toMultiPoint()) add_point(*point, builder);
+      return;
     default:
       refuse_type(geometry, builder);
   }

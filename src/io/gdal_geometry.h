@@ -1,4 +1,5 @@
-// From geometries of GDAL to polygons of a layer. Only for use inside src/io, because it has GDAL types.
+// From geometries of GDAL to polygons, lines and points of a layer. Only for use inside src/io, because it has GDAL
+// types.
 #pragma once
 
 #include <ogr_geometry.h>

@@ -31,7 +31,22 @@ void add_new(std::vector<std::string>& sum, const std::vector<std::string>& part
 
 }  // namespace
 
-void append_polygons(Layer& sum, const Layer& part) {
+namespace {
+
+// `features` is the number of features before those of `part`.
+void append(LinesAndPoints& sum, const LinesAndPoints& part, std::uint32_t features) {
+  const auto vertices = static_cast<std::uint32_t>(sum.line_vertices.size());
+  sum.line_vertices.insert(sum.line_vertices.end(), part.line_vertices.begin(), part.line_vertices.end());
+  sum.points.insert(sum.points.end(), part.points.begin(), part.points.end());
+  for (const std::uint32_t end : part.line_ends) sum.line_ends.push_back(vertices + end);
+  for (const std::uint32_t feature : part.line_features) sum.line_features.push_back(features + feature);
+  for (const std::uint32_t feature : part.point_features) sum.point_features.push_back(features + feature);
+}
+
+}  // namespace
+
+void append_shapes(Layer& sum, const Layer& part) {
+  append(sum.others, part.others, static_cast<std::uint32_t>(sum.features.size()));
   const auto points = static_cast<std::uint32_t>(sum.regions.points.size());
   const auto contours = static_cast<std::uint32_t>(sum.regions.contour_ends.size());
   const auto polygons = static_cast<std::uint32_t>(sum.regions.polygon_ends.size());
@@ -52,7 +67,7 @@ namespace {
 void append(Layer& sum, const Layer& part) {
   const auto files = static_cast<std::uint32_t>(sum.files.size());
   const std::size_t first = sum.features.size();
-  append_polygons(sum, part);
+  append_shapes(sum, part);
   for (std::size_t f = first; f < sum.features.size(); ++f) sum.features[f].file += files;
   sum.files.insert(sum.files.end(), part.files.begin(), part.files.end());
   add_new(sum.columns, part.columns);
@@ -60,13 +75,16 @@ void append(Layer& sum, const Layer& part) {
 }
 
 void reserve(RegionSet& regions, const std::vector<FilePart>& parts) {
-  std::size_t points = 0, contours = 0, polygons = 0;
+  std::size_t points = 0, contours = 0, polygons = 0, line_vertices = 0, single_points = 0;
   for (const FilePart& part : parts) {
     points += part.layer.regions.points.size();
     contours += part.layer.regions.contour_ends.size();
     polygons += part.layer.regions.polygon_ends.size();
+    line_vertices += part.layer.others.line_vertices.size();
+    single_points += part.layer.others.points.size();
   }
-  if (points > std::numeric_limits<std::int32_t>::max()) throw IoError("more than 2^31 - 1 vertices in one operand");
+  if (std::max({points, line_vertices, single_points}) > std::numeric_limits<std::int32_t>::max())
+    throw IoError("more than 2^31 - 1 vertices in one operand");
   regions.points.reserve(points);
   regions.contour_ends.reserve(contours);
   regions.polygon_ends.reserve(polygons);

@@ -28,19 +28,29 @@ struct FeatureRange {
   std::int64_t feature = 0;         ///< the file's own feature id
 };
 
+/// Lines and points of a layer that was read with OtherGeometry::keep. A feature is an index into Layer::features;
+/// those of the lines do not decrease, nor do those of the points.
+struct LinesAndPoints {
+  std::vector<Point> line_vertices;
+  std::vector<std::uint32_t> line_ends;  ///< line l is [line_ends[l-1], line_ends[l])
+  std::vector<std::uint32_t> line_features;
+  std::vector<Point> points;
+  std::vector<std::uint32_t> point_features;
+};
+
 /// Counts for notes to the user about what was read.
 struct ReadReport {
   std::uint64_t features = 0;
   std::uint64_t null_geometries = 0;
   std::uint64_t empty_geometries = 0;
-  std::uint64_t lines = 0;   ///< line features, which were skipped
-  std::uint64_t points = 0;  ///< point features, which were skipped
+  std::uint64_t lines = 0;   ///< line geometries that were skipped
+  std::uint64_t points = 0;  ///< point geometries that were skipped
   std::uint64_t with_z = 0;  ///< features whose Z was ignored
   std::uint64_t with_m = 0;  ///< features whose M was ignored
   std::uint64_t unclosed_contours = 0;
   std::uint64_t repeated_vertices = 0;
   std::uint64_t beyond_pole = 0;       ///< vertices with a latitude beyond 90 degrees
-  std::uint64_t across_date_line = 0;  ///< polygons that seem to cross 180 degrees of longitude
+  std::uint64_t across_date_line = 0;  ///< polygons and lines that seem to cross 180 degrees of longitude
   std::uint64_t swapped = 0;           ///< files whose longitudes and latitudes seem to be swapped
 };
 
@@ -48,6 +58,7 @@ struct ReadReport {
 /// because their outer rings run clockwise. Closing points and repeated neighbours are removed.
 struct Layer {
   RegionSet regions;
+  LinesAndPoints others;  ///< empty unless they are kept
   std::vector<FeatureRange> features;
   std::vector<std::string> files;
   std::string crs_wkt;  ///< coordinate system as WKT, without heights; empty if the files name none

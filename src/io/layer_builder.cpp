@@ -1,4 +1,4 @@
-// Rings into flat arrays; see layer_builder.h.
+// Rings, lines and points into flat arrays; see layer_builder.h.
 #include "io/layer_builder.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ void LayerBuilder::set_crs(std::string wkt) {
 void LayerBuilder::append(const LayerBuilder& part, std::span<const std::int64_t> ids) {
   if (scan_ && part.scan_) scan_->add(*part.scan_);
   const std::size_t first = layer_.features.size();
-  append_polygons(layer_, part.layer_);
+  append_shapes(layer_, part.layer_);
   if (layer_.regions.points.size() > most_vertices)
     throw IoError(layer_.files[file_] + ": more than 2^31 - 1 vertices in one operand");
   for (std::size_t f = first; f < layer_.features.size(); ++f) {
@@ -66,21 +66,29 @@ void LayerBuilder::finish() {
   if (scan_) scan_->report_to(layer_.report);
 }
 
-std::span<const Point> LayerBuilder::transformed(std::span<const Point> ring) {
-  moved_.assign(ring.begin(), ring.end());
+std::span<const Point> LayerBuilder::transformed(std::span<const Point> vertices, Part part) {
+  moved_.assign(vertices.begin(), vertices.end());
   transform_->apply(moved_);
-  for (std::size_t i = 0; i < ring.size(); ++i) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (in_domain(moved_[i].x) && in_domain(moved_[i].y)) continue;
-    throw IoError(fmt::format("{}, part {}, ring {}, vertex {}: ({}, {}) cannot be transformed to {}", where(), part_,
-                              ring_, i, ring[i].x, ring[i].y, transform_->target_name()));
+    throw IoError(fmt::format("{}: ({}, {}) cannot be transformed to {}", where(part, i), vertices[i].x, vertices[i].y,
+                              transform_->target_name()));
   }
   return moved_;
+}
+
+std::span<const Point> LayerBuilder::checked(std::span<const Point> vertices, Part part) {
+  check(vertices, part);
+  if (scan_) scan_->add_ring(vertices);
+  return transform_ ? transformed(vertices, part) : vertices;
 }
 
 void LayerBuilder::begin_feature(std::int64_t id, std::string extra) {
   feature_ = id;
   extra_ = std::move(extra);
   first_polygon_ = static_cast<std::uint32_t>(layer_.regions.polygon_ends.size());
+  first_line_ = layer_.others.line_ends.size();
+  first_point_ = layer_.others.points.size();
   part_ = 0;
   has_z_ = has_m_ = other_seen_ = false;
 }
@@ -93,9 +101,7 @@ void LayerBuilder::begin_polygon() {
 void LayerBuilder::add_ring(std::span<const Point> ring) {
   ++ring_;
   if (ring.empty()) return;
-  check(ring);
-  if (scan_) scan_->add_ring(ring);
-  if (transform_) ring = transformed(ring);
+  ring = checked(ring, Part::ring);
   auto& points = layer_.regions.points;
   if (points.size() + ring.size() > most_vertices) refuse("more than 2^31 - 1 vertices in one operand");
 
@@ -128,6 +134,31 @@ void LayerBuilder::end_polygon() {
   if (contours > before) regions.polygon_ends.push_back(contours);
 }
 
+void LayerBuilder::add_line(std::span<const Point> line) {
+  ++part_;
+  if (line.empty()) return;
+  line = checked(line, Part::line);
+  if (scan_) scan_->end_polygon();
+  LinesAndPoints& others = layer_.others;
+  if (others.line_vertices.size() + line.size() > most_vertices)
+    refuse("more than 2^31 - 1 vertices of lines in one operand");
+  const std::size_t begin = others.line_vertices.size();
+  for (const Point& p : line)
+    if (others.line_vertices.size() == begin || p != others.line_vertices.back()) others.line_vertices.push_back(p);
+  layer_.report.repeated_vertices += line.size() - (others.line_vertices.size() - begin);
+  others.line_ends.push_back(static_cast<std::uint32_t>(others.line_vertices.size()));
+  others.line_features.push_back(feature_index());
+}
+
+void LayerBuilder::add_point(const Point& point) {
+  ++part_;
+  const std::span<const Point> one = checked({&point, 1}, Part::point);
+  LinesAndPoints& others = layer_.others;
+  if (others.points.size() == most_vertices) refuse("more than 2^31 - 1 points in one operand");
+  others.points.push_back(one.front());
+  others.point_features.push_back(feature_index());
+}
+
 void LayerBuilder::end_feature() {
   auto& report = layer_.report;
   ++report.features;
@@ -136,7 +167,8 @@ void LayerBuilder::end_feature() {
   const bool has_polygons = layer_.regions.polygon_ends.size() > first_polygon_;
   if (has_polygons || options_.entries == FeatureEntries::all)
     layer_.features.push_back({first_polygon_, file_, feature_});
-  if (!has_polygons && !other_seen_) ++report.empty_geometries;
+  const bool has_others = layer_.others.line_ends.size() > first_line_ || layer_.others.points.size() > first_point_;
+  if (!has_polygons && !has_others && !other_seen_) ++report.empty_geometries;
 }
 
 void LayerBuilder::null_geometry() {
@@ -161,12 +193,18 @@ std::string LayerBuilder::where() const {
   return text;
 }
 
-void LayerBuilder::check(std::span<const Point> ring) const {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (in_domain(ring[i].x) && in_domain(ring[i].y)) continue;
-    const bool at_x = !in_domain(ring[i].x);
-    throw IoError(fmt::format("{}, part {}, ring {}, vertex {}: {} {}", where(), part_, ring_, i, at_x ? "x" : "y",
-                              fault_of(at_x ? ring[i].x : ring[i].y)));
+std::string LayerBuilder::where(Part part, std::size_t vertex) const {
+  std::string text = fmt::format("{}, part {}", where(), part_);
+  if (part == Part::ring) text += fmt::format(", ring {}", ring_);
+  return part == Part::point ? text : text + fmt::format(", vertex {}", vertex);
+}
+
+void LayerBuilder::check(std::span<const Point> vertices, Part part) const {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (in_domain(vertices[i].x) && in_domain(vertices[i].y)) continue;
+    const bool at_x = !in_domain(vertices[i].x);
+    throw IoError(
+        fmt::format("{}: {} {}", where(part, i), at_x ? "x" : "y", fault_of(at_x ? vertices[i].x : vertices[i].y)));
   }
 }
 

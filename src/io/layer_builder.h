@@ -1,4 +1,4 @@
-// Collects the features, polygons and rings of one file in a Layer, and checks every coordinate.
+// Collects the features of one file in a Layer: polygons and their rings, lines and points. Checks every coordinate.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,11 @@ class LayerBuilder {
   /// is not finite or outside the domain.
   void add_ring(std::span<const Point> ring);
   void end_polygon();
+  /// True if lines and points are wanted: then add_line and add_point get them. Else `line` and `point` are called.
+  bool keeps_others() const { return options_.other == OtherGeometry::keep; }
+  /// The vertices of a line, and a point. Throw IoError as add_ring does.
+  void add_line(std::span<const Point> line);
+  void add_point(const Point& point);
   void end_feature();
   /// Appends what another builder has made of the next part of the same file. Feature f of it gets the number `ids[f]`.
   void append(const LayerBuilder& part, std::span<const std::int64_t> ids);
@@ -45,7 +50,7 @@ class LayerBuilder {
   void null_geometry();
   void with_z() { has_z_ = true; }
   void with_m() { has_m_ = true; }
-  /// A line or a point among the polygons: counted, or refused with OtherGeometry::refuse.
+  /// A line or a point that is not wanted: counted, or refused with OtherGeometry::refuse.
   void line(const std::string& type);
   void point(const std::string& type);
   [[noreturn]] void refuse(const std::string& reason) const;
@@ -54,8 +59,12 @@ class LayerBuilder {
   std::string where() const;
 
  private:
-  std::span<const Point> transformed(std::span<const Point> ring);
-  void check(std::span<const Point> ring) const;
+  enum class Part { ring, line, point };
+  std::span<const Point> transformed(std::span<const Point> vertices, Part part);
+  void check(std::span<const Point> vertices, Part part) const;
+  std::string where(Part part, std::size_t vertex) const;
+  std::span<const Point> checked(std::span<const Point> vertices, Part part);
+  std::uint32_t feature_index() const { return static_cast<std::uint32_t>(layer_.features.size()); }
   void pass_over(const std::string& type, std::uint64_t& count);
 
   Layer& layer_;
@@ -67,7 +76,8 @@ class LayerBuilder {
   std::int64_t feature_ = 0;
   std::string extra_;
   std::uint32_t first_polygon_ = 0;  // of the feature
-  std::uint64_t part_ = 0;           // number for messages: counted from 1, with empty parts
+  std::size_t first_line_ = 0, first_point_ = 0;
+  std::uint64_t part_ = 0;  // number for messages: counted from 1, with empty parts
   std::uint64_t ring_ = 0;
   bool has_z_ = false;
   bool has_m_ = false;

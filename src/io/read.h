@@ -1,4 +1,5 @@
-// Reads polygons from any vector file that GDAL opens, from WKT and WKB, from folders and from standard input.
+// Reads polygons, and lines and points if they are wanted, from any vector file that GDAL opens, from WKT and WKB, from
+// folders and from standard input.
 #pragma once
 
 #include <functional>
@@ -9,8 +10,12 @@
 
 namespace oblast::io {
 
-/// What to do with lines and points in a polygon layer.
-enum class OtherGeometry { count_and_skip, refuse };
+/// What to do with lines and points.
+enum class OtherGeometry {
+  count_and_skip,
+  refuse,
+  keep,  ///< they go into Layer::others. REQUIRES: FeatureEntries::all
+};
 
 /// Which features get an entry in Layer::features.
 enum class FeatureEntries {

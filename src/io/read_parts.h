@@ -43,8 +43,8 @@ struct Parts {
 /// IoError: for the first faulty file of the list, whatever the order in which threads read them.
 Parts read_parts(std::span<const std::string> paths, const ReadOptions& options, Attributes attributes);
 
-/// Appends the polygons, the features and the counts of another layer. Features keep their file and number.
-void append_polygons(Layer& sum, const Layer& part);
+/// Appends the shapes, the features and the counts of another layer. Features keep their file and number.
+void append_shapes(Layer& sum, const Layer& part);
 
 /// Joins the layers in their order, and frees them.
 Layer join_layers(Parts& parts);

@@ -85,9 +85,11 @@ class WktParser {
       } while (accept(','));
       expect(')');
     } else if (type.name == "LINESTRING" || type.name == "MULTILINESTRING") {
+      if (builder_.keeps_others()) return lines(type);
       builder_.line(type.name);
       skip_body();
     } else if (type.name == "POINT" || type.name == "MULTIPOINT") {
+      if (builder_.keeps_others()) return points(type);
       builder_.point(type.name);
       skip_body();
     } else if (is_curve(type.name)) {
@@ -121,13 +123,45 @@ class WktParser {
   void ring(const Type& type) {
     expect('(');
     do {
-      const double x = number();
-      const double y = number();
-      ring_.push_back({x, y});
-      const int more = further_numbers();
-      if (more == 2 || (more == 1 && !type.m)) builder_.with_z();
-      if (more == 2 || (more == 1 && type.m)) builder_.with_m();
+      vertex(type);
     } while (accept(','));
+    expect(')');
+  }
+
+  void vertex(const Type& type) {
+    const double x = number();
+    const double y = number();
+    ring_.push_back({x, y});
+    const int more = further_numbers();
+    if (more == 2 || (more == 1 && !type.m)) builder_.with_z();
+    if (more == 2 || (more == 1 && type.m)) builder_.with_m();
+  }
+
+  // One line, or several in parentheses.
+  void lines(const Type& type) {
+    if (read_empty()) return;
+    const bool several = type.name == "MULTILINESTRING";
+    if (several) expect('(');
+    do {
+      ring_.clear();
+      if (!several || !read_empty()) ring(type);
+      builder_.add_line(ring_);
+    } while (several && accept(','));
+    if (several) expect(')');
+  }
+
+  // Several points may each have parentheses, or not.
+  void points(const Type& type) {
+    if (read_empty()) return;
+    expect('(');
+    do {
+      if (read_empty()) continue;
+      ring_.clear();
+      const bool in_parentheses = accept('(');
+      vertex(type);
+      if (in_parentheses) expect(')');
+      builder_.add_point(ring_.back());
+    } while (type.name == "MULTIPOINT" && accept(','));
     expect(')');
   }
 

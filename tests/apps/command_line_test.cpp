@@ -18,7 +18,7 @@ constexpr const char* their_union = "POLYGON ((0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2
 
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"},
-                               Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
+                               Words{"buffer"}, Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
     Words words = command;
     words.push_back("--help");
     const ProgramRun run = oblast_program(words);
@@ -110,6 +110,7 @@ TEST(Memory, ALimitThatIsTooSmallIsAnErrorThatSaysIt) {
       {"dissolve", in, "-o", out},
       {"depth", in, "-o", out},
       {"partition", in, in, "-o", out},
+      {"buffer", in, "--distance", "1", "-o", out},
       {"triangulate", in, "-o", out},
       {"hull", in, "-o", out},
       {"classic", "weiler-atherton", "union", in, in, "-o", out},

@@ -27,6 +27,11 @@ class Recipes : public ::testing::Test {
     layer("landuse2020",
           {square(0, 1, R"("use":"field")"), square(2, 2, R"("use":"field")"), square(6, 1, R"("use":"town")")});
     layer("soils", {square(1, 4, R"("soil":"clay")")});
+    layer("parcels", {square(0, 40, R"("id":1)"), square(50, 20, R"("id":2)")});
+    line_layer("roads", R"("name":"A1")", "[[0,0],[10000,0]]");
+    line_layer("rivers", R"("name":"Oise")", "[[0,0],[100,0]]");
+    write_file(folder_ / "stops.geojson",
+               R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[3,50]}})");
     fs::create_directory(folder_ / "fires");
     write_layer(folder_ / "fires/1.geojson", {square(0, 2, R"("day":1)"), square(0, 1, R"("day":1)")});
     write_layer(folder_ / "fires/2.geojson", {square(1, 2, R"("day":2)")});
@@ -38,6 +43,12 @@ class Recipes : public ::testing::Test {
     const ProgramRun run = oblast_program({"erase", folder_.path(name + ".geojson"), folder_.path("nothing.wkt"), "-o",
                                            folder_.path(name + ".gpkg"), "--assume-crs", "EPSG:3035", "-q"});
     EXPECT_EQ(run.code, 0) << run.err;
+  }
+
+  void line_layer(const std::string& name, const std::string& properties, const std::string& coordinates) {
+    write_layer(folder_ / (name + ".geojson"),
+                {R"({"type":"Feature","properties":{)" + properties +
+                 R"(},"geometry":{"type":"LineString","coordinates":)" + coordinates + "}}"});
   }
 
   // In a shell, so that quotes mean what they mean to a user.
@@ -73,6 +84,8 @@ TEST_F(Recipes, GiveWhatTheySay) {
       {"both",
        {"use_1=forest use_2=field area=1", "use_1=forest use_2=null area=3", "use_1=field use_2=field area=4",
         "use_1=null use_2=town area=1"}},
+      {"inner", {"id=1 area=400", "id=2 area=0"}},
+      {"bank", {"name=Oise area=2000"}},
       {"change", {"use_1=forest use_2=field m2=1 area=1"}},
       {"new", {"polygon=0 area=1"}},
       {"gone", {"polygon=0 area=3"}},
@@ -82,13 +95,16 @@ TEST_F(Recipes, GiveWhatTheySay) {
   };
   const std::string page = oblast_program({"help", "recipes"}).out;
   const std::vector<std::string> commands = commands_of(page);
-  EXPECT_EQ(commands.size(), expected.size() + 2);  // two of them check
+  EXPECT_EQ(commands.size(), expected.size() + 4);  // two of them check, and two zones have round ends
   for (const std::string& line : commands) run(line);
   for (const auto& [name, rows] : expected) {
     EXPECT_TRUE(contains(page, "-o " + name + ".gpkg")) << name;
     EXPECT_EQ(rows_of(folder_.path(name + ".gpkg")).rows, rows) << name;
   }
   EXPECT_TRUE(contains(read_file(folder_ / "days.svg"), "</svg>"));
+  const double road = 10000 * 1000 + 3.14159265 * 500 * 500;
+  EXPECT_NEAR(area_of(folder_.path("near.gpkg")), road, 0.02 * road);
+  EXPECT_EQ(rows_of(folder_.path("walk.geojson")).rows.size(), 1u);
 }
 
 TEST(RecipesPage, IsThePageInTheDocuments) {

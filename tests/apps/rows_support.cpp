@@ -44,4 +44,10 @@ RowsOfFile rows_of(const std::string& path) {
   return found;
 }
 
+double area_of(const std::string& path) {
+  std::vector<std::string> notes;
+  const std::vector<std::string> paths{path};
+  return signed_area(io::read_rows(paths, {}, notes).layer.regions);
+}
+
 }  // namespace oblast::test

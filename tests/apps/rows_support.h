@@ -20,6 +20,9 @@ struct RowsOfFile {
 };
 RowsOfFile rows_of(const std::string& path);
 
+/// The area of all rows of a file.
+double area_of(const std::string& path);
+
 using Lines = std::vector<std::string>;
 
 }  // namespace oblast::test

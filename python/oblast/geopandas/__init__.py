@@ -1,4 +1,4 @@
-"""A drop-in for geopandas: overlay, dissolve, union_all and clip with its signatures and semantics.
+"""A drop-in for geopandas: overlay, dissolve, union_all, clip and buffer with its signatures and semantics.
 
 >>> from oblast import geopandas as og
 >>> import geopandas, shapely
@@ -10,9 +10,10 @@
 What is not oblast's is answered by geopandas itself, and counted by `oblast.fallbacks`.
 """
 
+from oblast.geopandas._buffer import buffer
 from oblast.geopandas._clip import clip
 from oblast.geopandas._dissolve import dissolve, union_all
 from oblast.geopandas._install import Installed, install, uninstall
 from oblast.geopandas._overlay import overlay
 
-__all__ = ["Installed", "clip", "dissolve", "install", "overlay", "uninstall", "union_all"]
+__all__ = ["Installed", "buffer", "clip", "dissolve", "install", "overlay", "uninstall", "union_all"]

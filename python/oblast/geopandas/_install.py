@@ -10,6 +10,7 @@ import geopandas.tools
 from geopandas import GeoDataFrame
 from geopandas.array import GeometryArray
 
+from oblast.geopandas._buffer import buffer
 from oblast.geopandas._clip import clip
 from oblast.geopandas._dissolve import dissolve, union_all
 from oblast.geopandas._originals import originals
@@ -33,16 +34,17 @@ class Installed:
         uninstall()
 
 
-def _replace(overlay: Any, clip: Any, dissolve: Any, union_all: Any) -> None:
+def _replace(overlay: Any, clip: Any, dissolve: Any, union_all: Any, buffer: Any) -> None:
     for module in (geopandas, geopandas.tools):
         module.overlay = overlay
         module.clip = clip
     GeoDataFrame.dissolve = dissolve
     GeometryArray.union_all = union_all
+    GeometryArray.buffer = buffer
 
 
 def install() -> Installed:
-    """Let geopandas call oblast: overlay, clip, dissolve and union_all, as functions and as methods.
+    """Let geopandas call oblast: overlay, clip, dissolve, union_all and buffer, as functions and methods.
 
     Modules that imported a function by name before keep geopandas' own. Calls that are not oblast's are answered by
     geopandas, and counted by `oblast.fallbacks`.
@@ -60,7 +62,7 @@ def install() -> Installed:
     ...     squares.union_all().area
     2.0
     """
-    _replace(overlay, clip, dissolve, union_all)
+    _replace(overlay, clip, dissolve, union_all, buffer)
     return Installed()
 
 

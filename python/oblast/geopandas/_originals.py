@@ -19,12 +19,19 @@ class Originals(NamedTuple):
     clip: Any
     dissolve: Any
     union_all: Any
+    buffer: Any
 
 
 @lru_cache(maxsize=1)
 def originals() -> Originals:
     """Geopandas' functions. Called first when `oblast.geopandas` is imported."""
-    return Originals(geopandas.overlay, geopandas.clip, GeoDataFrame.dissolve, GeometryArray.union_all)
+    return Originals(
+        geopandas.overlay,
+        geopandas.clip,
+        GeoDataFrame.dissolve,
+        GeometryArray.union_all,
+        GeometryArray.buffer,
+    )
 
 
 originals()
