@@ -64,9 +64,7 @@ void add(CLI::App& program, Invocation& invocation, const Command& command, cons
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* added = program.add_subcommand(command.word, what);
   added->footer(footer);
-  added->add_option("IN", arguments->in, input_help)
-      ->required()
-      ->type_name("");
+  added->add_option("IN", arguments->in, input_help)->required()->type_name("");
   const std::string other = command.other;
   added->add_option(other, arguments->other, "the other layer, as IN")->required()->type_name("");
   add_row_options(*added, arguments->rows, Select::columns);

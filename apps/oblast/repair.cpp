@@ -150,9 +150,7 @@ void add_repair(CLI::App& program, Invocation& invocation) {
   CLI::App* command =
       program.add_subcommand("repair", "Make features valid, or make a coverage of them; attributes are kept.");
   command->footer(footer);
-  command->add_option("IN", arguments->inputs, input_help)
-      ->required()
-      ->type_name("");
+  command->add_option("IN", arguments->inputs, input_help)->required()->type_name("");
   add_coverage_options(*command, *arguments);
   command->add_flag("--drop-empty", arguments->drop_empty, "leave out rows without a geometry");
   add_row_options(*command, arguments->rows, Select::columns);
