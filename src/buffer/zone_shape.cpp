@@ -23,7 +23,7 @@ double arc_cosine(double tolerance, BufferMode mode) {
     case BufferMode::nearest:
       return (1 - tolerance) / (1 + tolerance);
     case BufferMode::inside:
-      return 1 - tolerance;
+      return 1 - tolerance / 2;  // the other half is for lids
     default:
       return 1 / (1 + tolerance);
   }

@@ -5,7 +5,7 @@
 //
 //   mode      vertices at              chords not nearer than           so the cosine must be at least
 //   nearest   at most (1 + f) d        (1 + f) d cos                    (1 - f) / (1 + f)
-//   inside    d                        d cos                            1 - f
+//   inside    d                        d cos                            1 - f / 2, for lids have the rest
 //   outside   at most d / cos          d (they are tangents)            1 / (1 + f)
 //
 // A lid of length w is offset by d, so the outline beside its middle is at most sqrt(d^2 + w^2 / 4) from the input. In
