@@ -61,7 +61,7 @@ void for_all_batches(const GeopackageRows& output, std::int32_t srs_id, double f
     const double share = static_cast<double>(batch->first + batch->rows.size()) / static_cast<double>(rows);
     if (output.progress) output.progress(from + (to - from) * share);
   };
-  const auto tokens = static_cast<std::size_t>(4 * tbb::this_task_arena::max_concurrency());
+  const std::size_t tokens = 4 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   using Mode = tbb::filter_mode;
   tbb::parallel_pipeline(tokens, tbb::make_filter<void, std::size_t>(Mode::serial_in_order, begin) &
                                      tbb::make_filter<std::size_t, std::shared_ptr<Batch>>(Mode::parallel, make) &
