@@ -53,15 +53,9 @@ Walk around(const Walk& right, const Walk& left) {
   return walk;
 }
 
-Walk plain(const Array<Point>& path) {
-  Walk walk;
-  for (const Point& p : path) walk.push_back({p});
-  return walk;
-}
-
 /// Offset on the right only: there with offsets, and back without.
 Array<Walk> one_sided(const Array<Point>& path, bool closed) {
-  Walk there = plain(path), back;
+  Walk there = plain_walk(path), back;
   for (std::size_t i = path.size(); i-- > 0;) back.push_back({path[i], WalkEdge::bare, Corner::bare});
   if (closed) {
     there.pop_back(), back.pop_back();
@@ -76,7 +70,7 @@ Array<Walk> one_sided(const Array<Point>& path, bool closed) {
 /// The inner points of the path with pockets closed. The first and the last edge stay, for they give caps their
 /// direction.
 ClosedPath close_between_ends(const Array<Point>& path, double widest) {
-  if (path.size() <= 4) return {plain(path), plain(path)};
+  if (path.size() <= 4) return {plain_walk(path), plain_walk(path)};
   ClosedPath inner = close_pockets(std::span(path).subspan(1, path.size() - 2), widest, true);
   for (Walk* const walk : {&inner.right, &inner.left}) {
     walk->back().edge = WalkEdge::offset;
@@ -107,7 +101,7 @@ Array<Walk> line_walks(const Array<Point>& path, Side side, Cap cap, double wide
   if (side != Side::both) return one_sided(path, closed);
   ClosedPath sides;
   if (widest_lid == 0)
-    sides = {plain(path), plain(path)};
+    sides = {plain_walk(path), plain_walk(path)};
   else if (closed || cap == Cap::round)
     sides = close_pockets(path, widest_lid, true);
   else

@@ -35,6 +35,13 @@ struct WalkVertex {
 
 using Walk = Array<WalkVertex>;
 
+/// The path as it is: every vertex is a join, and every edge is offset.
+inline Walk plain_walk(std::span<const Point> path) {
+  Walk walk;
+  for (const Point& p : path) walk.push_back({p});
+  return walk;
+}
+
 /// A path without vertices that are so near to the one before that their pieces would be lost in rounding: what
 /// rounding did to them could open cracks in other pieces. The first and the last point stay. `is_near(p, q)`: q is so
 /// near to p.

@@ -11,6 +11,7 @@
 #include "buffer/outline.h"
 #include "buffer/pockets.h"
 #include "buffer/zone_shape.h"
+#include "overlay/report.h"
 #include "plane/largest_ulp.h"
 
 namespace oblast::internal::buffering {
@@ -48,14 +49,7 @@ class Zone {
     Options options;
     options.fill_a = fill;
     PipelineResult result = run_pipeline(regions, nullptr, {Operation::unite, options, control_}, statistics);
-    statistics.input_contours = regions.contour_count();
-    statistics.input_vertices = regions.points.size();
-    statistics.output_polygons = result.regions.polygon_ends.size();
-    statistics.output_contours = result.regions.contour_ends.size();
-    statistics.output_vertices = result.regions.points.size();
-    if (statistics.largest_displacement > 0)
-      statistics.largest_displacement_ulps =
-          statistics.largest_displacement / ulp_of(largest_coordinate(regions.points));
+    report(std::span(&regions, 1), result.regions, statistics);
     return result;
   }
 
@@ -110,7 +104,7 @@ class Zone {
       pockets += closed.pockets;
       walk = std::move(closed.right);
     } else {
-      for (const Point& p : path) walk.push_back({p});
+      walk = plain_walk(path);
     }
     walk.pop_back();
     append_outline(shape, walk, outlines);

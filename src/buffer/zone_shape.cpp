@@ -52,10 +52,12 @@ ZoneShape::ZoneShape(double asked, const BufferOptions& options)
   lower_factor = mode == BufferMode::outside ? 1 : 1 - tolerance;
   upper_factor = mode == BufferMode::inside ? 1 : 1 + tolerance;
   if (join == Join::round) {
-    const double part = (1 - tolerance) / Directions::cosine_of(directions.count());
-    const double half_lid_2 = mode == BufferMode::inside ? 1 - part * part : tolerance * (2 + tolerance);
-    // Two lids can meet at a corner, so in mode inside each takes half.
-    widest_lid = 2 * distance * std::sqrt(std::max(0.0, mode == BufferMode::inside ? half_lid_2 / 2 : half_lid_2));
+    double half_lid_2 = tolerance * (2 + tolerance);
+    if (mode == BufferMode::inside) {
+      const double part = (1 - tolerance) / Directions::cosine_of(directions.count());
+      half_lid_2 = std::max(0.0, 1 - part * part) / 2;  // two lids can meet at a corner, so each takes half
+    }
+    widest_lid = 2 * distance * std::sqrt(half_lid_2);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "base/public_call.h"
 #include "features/keyed_overlay.h"
 #include "features/validate_features.h"
-#include "plane/largest_ulp.h"
+#include "overlay/report.h"
 
 namespace oblast {
 using namespace internal;
@@ -40,20 +40,6 @@ Array<std::uint32_t> sources_of_polygons(const FeatureView& layer, const SourceO
   for (std::size_t f = 0; f < layer.feature_count(); ++f)
     std::fill(sources.begin() + layer.feature_begin(f), sources.begin() + layer.feature_end(f), source_of(f));
   return sources;
-}
-
-void report(std::span<const FeatureView> layers, const KeyedResult& result, Statistics& statistics) {
-  double largest = 0;
-  for (const FeatureView& layer : layers) {
-    statistics.input_contours += layer.regions.contour_count();
-    statistics.input_vertices += layer.regions.points.size();
-    largest = std::max(largest, largest_coordinate(layer.regions.points));
-  }
-  statistics.output_polygons = result.regions.polygon_ends.size();
-  statistics.output_contours = result.regions.contour_ends.size();
-  statistics.output_vertices = result.regions.points.size();
-  if (statistics.largest_displacement > 0)
-    statistics.largest_displacement_ulps = statistics.largest_displacement / ulp_of(largest);
 }
 
 /// The layers as operands; source_of(layer, feature) numbers the sources.
@@ -88,7 +74,9 @@ auto run(const KeyedCall& call, const Options& options, const SourceOf& source_o
     KeyedResult result =
         keyed_overlay({operands, call.source_count, call.rule, call.needs, options, control}, statistics);
     if (options.statistics) {
-      report(call.layers, result, statistics);
+      Array<RegionView> regions;
+      for (const FeatureView& layer : call.layers) regions.push_back(layer.regions);
+      report(regions, result.regions, statistics);
       *options.statistics = statistics;
     }
     return finish(std::move(result));

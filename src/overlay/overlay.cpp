@@ -6,25 +6,13 @@
 #include "base/check_options.h"
 #include "base/public_call.h"
 #include "overlay/pipeline.h"
-#include "plane/largest_ulp.h"
+#include "overlay/report.h"
 #include "regions/validate.h"
 #include "window/fast_path.h"
 
 namespace oblast {
 using namespace internal;
 namespace {
-
-void report(const RegionView& a, const RegionView* b, const RegionSet& result, Statistics& statistics) {
-  statistics.input_contours = a.contour_count() + (b ? b->contour_count() : 0);
-  statistics.input_vertices = a.points.size() + (b ? b->points.size() : 0);
-  statistics.output_polygons = result.polygon_ends.size();
-  statistics.output_contours = result.contour_ends.size();
-  statistics.output_vertices = result.points.size();
-  if (statistics.largest_displacement > 0)
-    statistics.largest_displacement_ulps =
-        statistics.largest_displacement /
-        ulp_of(std::max(largest_coordinate(a.points), b ? largest_coordinate(b->points) : 0));
-}
 
 RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operation, const Options& options,
                       Control& control, RegionSet* spare) {
@@ -38,7 +26,8 @@ RegionSet run_in_call(const RegionView& a, const RegionView* b, Operation operat
   PipelineResult result =
       run_pipeline(a, b, {operation, options, control}, statistics, spare ? std::move(*spare) : RegionSet{});
   if (options.statistics) {
-    report(a, b, result.regions, statistics);
+    const RegionView operands[] = {a, b ? *b : RegionView{}};
+    report(operands, result.regions, statistics);
     *options.statistics = statistics;
   }
   return std::move(result.regions);
