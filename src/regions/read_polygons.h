@@ -16,7 +16,7 @@
 
 namespace oblast::internal {
 
-/// The deepest nesting of collections that readers accept. Each level is a frame of their stack.
+/// The deepest nesting of collections that readers accept. Each level is a frame of the stack of the reader of WKB.
 inline constexpr int deepest_collection = 64;
 
 inline Place at_byte(std::size_t byte) {
