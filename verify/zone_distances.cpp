@@ -1,0 +1,220 @@
+// Z3. Distances are estimated in doubles with a bound of the error; if that does not decide, squared distances are
+// compared as rational numbers.
+//
+// The estimate of a distance from p to a segment from a to b: differences of coordinates have a relative error of at
+// most u = 2^-53, so cross product and dot product of b - a and p - a are wrong by less than 6 u |p - a| |b - a|. The
+// quotient by |b - a| adds 3 u of itself. If the wrong end or the line is taken because the dot product has the wrong
+// sign, the foot is off by less than 6 u |p - a| again. Altogether less than 32 u times the distance to the further
+// end.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "verify/edges.h"
+#include "verify/predicates.h"
+#include "verify/rows.h"
+#include "verify/zones.h"
+
+namespace oblast::verify {
+namespace {
+
+struct Interval {
+  double low, high;
+};
+
+Interval estimated_distance(const Point& p, const Stroke& s) {
+  const double ex = s.b.x - s.a.x, ey = s.b.y - s.a.y, dx = p.x - s.a.x, dy = p.y - s.a.y;
+  const double fx = p.x - s.b.x, fy = p.y - s.b.y;
+  const double along = dx * ex + dy * ey, length_2 = ex * ex + ey * ey;
+  const double from_a = std::sqrt(dx * dx + dy * dy), from_b = std::sqrt(fx * fx + fy * fy);
+  double value = 0;
+  if (along <= 0 || length_2 == 0)
+    value = from_a;
+  else if (along >= length_2)
+    value = from_b;
+  else
+    value = std::abs(dx * ey - dy * ex) / std::sqrt(length_2);
+  const double error = 0x1p-48 * std::max(from_a, from_b);
+  return {std::max(0.0, value - error), value + error};
+}
+
+Rational squared(const Rational& value) { return value * value; }
+
+class DistanceCheck {
+ public:
+  DistanceCheck(const JudgedZones& zones, const ZoneDistanceBounds& bounds) : zones_(zones), bounds_(bounds) {
+    for (std::size_t r = 0; r < zones.rows.feature_count(); ++r)
+      for (const PolygonView polygon : regions_of(zones.rows, r).polygons()) {
+        std::vector<Stroke> edges;
+        for (const std::span<const Point> ring : polygon.contours())
+          for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+        borders_.insert(borders_.end(), edges.begin(), edges.end());
+        rows_.add(std::move(edges), zones.keys[r].a);
+      }
+    rows_.build();
+    for (const PolygonView polygon : zones.frame.polygons()) frame_.add(boundary_of(polygon), 0);
+    frame_.build();
+    for (const Area& area : frame_.areas) frame_box_.add(area.box());
+  }
+
+  std::optional<Fault> run(ZoneDistanceMeasures* measures) {
+    std::mt19937_64 random(bounds_.seed);
+    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (std::uint64_t k = 0; k < bounds_.places && !fault_ && !frame_box_.empty(); ++k) {
+      const Point &low = frame_box_.low, &high = frame_box_.high;
+      check({low.x + (high.x - low.x) * unit(), low.y + (high.y - low.y) * unit()});
+    }
+    // All edges in turn if there are few, else some of them.
+    const bool is_few = borders_.size() * places_by_edge <= bounds_.places;
+    const std::uint64_t edges = is_few ? borders_.size() : bounds_.places / places_by_edge + 1;
+    for (std::uint64_t k = 0; k < edges && !fault_ && !borders_.empty(); ++k) {
+      const Stroke& e = borders_[is_few ? k : random() % borders_.size()];
+      const double t = unit();
+      const Point places[] = {e.a, at(e, 0.5), at(e, t)};
+      for (const Point& p : places) {
+        check(p);
+        check({step(p.x, random()), step(p.y, random())});
+      }
+    }
+    if (measures) *measures = measures_;
+    return fault_;
+  }
+
+ private:
+  static constexpr std::uint64_t places_by_edge = 6;
+
+  static Point at(const Stroke& e, double t) { return {e.a.x + (e.b.x - e.a.x) * t, e.a.y + (e.b.y - e.a.y) * t}; }
+
+  /// Up to 4 units in the last place away.
+  static double step(double x, std::uint64_t random) {
+    const double unit = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
+    return x + (static_cast<double>(random % 9) - 4) * unit;
+  }
+
+  struct Near {
+    const ZoneObjects::Edge* edge;
+    Interval distance;
+  };
+
+  /// The edges that may be the nearest one, or not further than `margin` behind it.
+  void find_near(const Point& p, double margin) {
+    near_.clear();
+    double most = HUGE_VAL;
+    const auto limit = [&] { return (most + margin) * (1 + 0x1p-50); };
+    const auto& objects = zones_.objects;
+    objects.tree.near(p, limit, [&](std::uint32_t k) {
+      const Interval found = estimated_distance(p, objects.edges[k]);
+      most = std::min(most, found.high);
+      if (found.low <= limit()) near_.push_back({&objects.edges[k], found});
+    });
+    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit(); });
+  }
+
+  void check(const Point& p) {
+    if (fault_) return;
+    const std::vector<std::uint32_t> rows = rows_.closed_at(p);
+    const std::vector<std::uint32_t> holders = zones_.objects.regions.closed_at(p);
+    if (rows.empty()) return check_far(p, holders);
+    find_near(p, bounds_.epsilon);
+    for (const std::uint32_t object : rows) check(p, object, holders);
+  }
+
+  void check(const Point& p, std::uint32_t own, const std::vector<std::uint32_t>& holders) {
+    ++measures_.places;
+    if (std::binary_search(holders.begin(), holders.end(), own)) return;
+    Interval mine{HUGE_VAL, HUGE_VAL}, others{HUGE_VAL, HUGE_VAL};
+    for (const Near& n : near_) {
+      Interval& nearest = n.edge->object == own ? mine : others;
+      nearest = {std::min(nearest.low, n.distance.low), std::min(nearest.high, n.distance.high)};
+    }
+    if (!holders.empty()) others = {0, 0};
+    if (mine.low == HUGE_VAL || !holders.empty()) mine = distance_of(p, own);
+    if (others.high < HUGE_VAL) {
+      const double excess = (mine.low + mine.high) / 2 - (others.low + others.high) / 2;
+      measures_.epsilon = std::max(measures_.epsilon, excess);
+    }
+    if (mine.low == HUGE_VAL) return fail("row " + std::to_string(own) + " has no object", p);
+    const bool is_sure = mine.high * (1 + 0x1p-50) <= (others.low + bounds_.epsilon) * (1 - 0x1p-50);
+    if (!is_sure && !is_exactly_within(p, own, mine, !holders.empty()))
+      fail("object " + std::to_string(own) + " is further than another one by " +
+               std::to_string((mine.high - others.low) / bounds_.epsilon) + " epsilon",
+           p);
+    if (mine.high * (1 + 0x1p-50) > bounds_.upper && squared_distance_of(p, own) > squared(Rational(bounds_.upper)))
+      fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
+  }
+
+  Interval distance_of(const Point& p, std::uint32_t object) const {
+    Interval nearest{HUGE_VAL, HUGE_VAL};
+    for (const ZoneObjects::Edge& e : zones_.objects.edges)
+      if (e.object == object) {
+        const Interval found = estimated_distance(p, e);
+        nearest = {std::min(nearest.low, found.low), std::min(nearest.high, found.high)};
+      }
+    return nearest;
+  }
+
+  Rational squared_distance_of(const Point& p, std::uint32_t object) const {
+    const double most = distance_of(p, object).high;
+    std::optional<Rational> least;
+    for (const ZoneObjects::Edge& e : zones_.objects.edges) {
+      if (e.object != object || estimated_distance(p, e).low > most) continue;
+      const Rational found = squared_distance(RationalPoint(p), e.a, e.b);
+      if (!least || found < *least) least = found;
+    }
+    return *least;
+  }
+
+  bool is_exactly_within(const Point& p, std::uint32_t own, const Interval& mine, bool is_held) {
+    ++measures_.exactly;
+    const Rational square = squared_distance_of(p, own), epsilon(bounds_.epsilon);
+    if (is_held) return root_is_within(square, 0, epsilon);
+    return std::all_of(near_.begin(), near_.end(), [&](const Near& n) {
+      if (n.edge->object == own) return true;
+      if (mine.high * (1 + 0x1p-50) <= (n.distance.low + bounds_.epsilon) * (1 - 0x1p-50)) return true;
+      return root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon);
+    });
+  }
+
+  /// With a largest distance: a place of the frame in no row.
+  void check_far(const Point& p, const std::vector<std::uint32_t>& holders) {
+    if (bounds_.lower == HUGE_VAL) return;
+    const bool is_in_frame = std::any_of(frame_.areas.begin(), frame_.areas.end(),
+                                         [&](const Area& area) { return area.where(p) == Area::Where::inside; });
+    if (!is_in_frame) return;
+    find_near(p, 0);
+    const bool is_near = !holders.empty() || std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
+      return n.distance.low < bounds_.lower &&
+             squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower));
+    });
+    if (is_near) fail("a place nearer than the largest distance is in no row", p);
+  }
+
+  void fail(const std::string& what, const Point& p) {
+    if (!fault_) fault_ = Fault{what + ", at " + to_text(p), {}};
+  }
+
+  const JudgedZones& zones_;
+  const ZoneDistanceBounds& bounds_;
+  std::vector<Stroke> borders_;
+  NumberedAreas rows_, frame_;
+  Box frame_box_;
+  std::vector<Near> near_;
+  ZoneDistanceMeasures measures_;
+  std::optional<Fault> fault_;
+};
+
+}  // namespace
+
+// sqrt(a) <= sqrt(b) + e if and only if a - b - e^2 <= 2 e sqrt(b). If the left side is not negative, both can be squared.
+bool root_is_within(const Rational& a, const Rational& b, const Rational& e) {
+  const Rational left = a - b - e * e;
+  return left <= 0 || left * left <= 4 * e * e * b;
+}
+
+std::optional<Fault> check_zone_distances(const JudgedZones& zones, const ZoneDistanceBounds& bounds,
+                                          ZoneDistanceMeasures* measures) {
+  return DistanceCheck(zones, bounds).run(measures);
+}
+
+}  // namespace oblast::verify
