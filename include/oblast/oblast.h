@@ -1,4 +1,4 @@
-// Includes overlays, layers with rows, buffer zones, checks of results, triangulation, point-in-region queries, WKT and
+// Includes overlays, layers with rows, buffer zones, proximity zones, checks of results, triangulation, point-in-region queries, WKT and
 // WKB. The papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C interface is c.h.
 #pragma once
 
@@ -21,3 +21,4 @@
 #include <oblast/wkb.h>
 #include <oblast/wkt.h>
 #include <oblast/workspace.h>
+#include <oblast/zones.h>
