@@ -101,7 +101,7 @@ class DistanceCheck {
   void find_near(const Point& p, double margin) {
     near_.clear();
     double most = HUGE_VAL;
-    const auto limit = [&] { return (most + margin) * (1 + 0x1p-50); };
+    const auto limit = [&] { return (most + margin) * (1 + 0x1p-40); };
     const auto& objects = zones_.objects;
     objects.tree.near(p, limit, [&](std::uint32_t k) {
       const Interval found = estimated_distance(p, objects.edges[k]);
@@ -123,56 +123,63 @@ class DistanceCheck {
   void check(const Point& p, std::uint32_t own, const std::vector<std::uint32_t>& holders) {
     ++measures_.places;
     if (std::binary_search(holders.begin(), holders.end(), own)) return;
-    Interval mine{HUGE_VAL, HUGE_VAL}, others{HUGE_VAL, HUGE_VAL};
+    Interval others{HUGE_VAL, HUGE_VAL};
+    own_.clear();
     for (const Near& n : near_) {
-      Interval& nearest = n.edge->object == own ? mine : others;
-      nearest = {std::min(nearest.low, n.distance.low), std::min(nearest.high, n.distance.high)};
+      if (n.edge->object == own)
+        own_.push_back(n);
+      else
+        others = least(others, n.distance);
     }
     if (!holders.empty()) others = {0, 0};
-    if (mine.low == HUGE_VAL || !holders.empty()) mine = distance_of(p, own);
+    // Edges of the object that are not near are looked for if it has none, or if its distance is not one to compare.
+    if (own_.empty() || !holders.empty()) find_own(p, own);
+    Interval mine{HUGE_VAL, HUGE_VAL};
+    for (const Near& n : own_) mine = least(mine, n.distance);
     if (others.high < HUGE_VAL) {
       const double excess = (mine.low + mine.high) / 2 - (others.low + others.high) / 2;
       measures_.epsilon = std::max(measures_.epsilon, excess);
     }
-    if (mine.low == HUGE_VAL) return fail("row " + std::to_string(own) + " has no object", p);
-    const bool is_sure = mine.high * (1 + 0x1p-50) <= (others.low + bounds_.epsilon) * (1 - 0x1p-50);
-    if (!is_sure && !is_exactly_within(p, own, mine, !holders.empty()))
+    if (own_.empty()) return fail("row " + std::to_string(own) + " has no object", p);
+    if (!is_surely_within(mine, others) && !is_exactly_within(p, mine, !holders.empty()))
       fail("object " + std::to_string(own) + " is further than another one by " +
                std::to_string((mine.high - others.low) / bounds_.epsilon) + " epsilon",
            p);
-    if (mine.high * (1 + 0x1p-50) > bounds_.upper && squared_distance_of(p, own) > squared(Rational(bounds_.upper)))
+    if (mine.high * (1 + 0x1p-50) > bounds_.upper && squared_distance_of(p, mine) > squared(Rational(bounds_.upper)))
       fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
   }
 
-  Interval distance_of(const Point& p, std::uint32_t object) const {
-    Interval nearest{HUGE_VAL, HUGE_VAL};
+  static Interval least(const Interval& a, const Interval& b) {
+    return {std::min(a.low, b.low), std::min(a.high, b.high)};
+  }
+
+  bool is_surely_within(const Interval& mine, const Interval& other) const {
+    return mine.high * (1 + 0x1p-50) <= (other.low + bounds_.epsilon) * (1 - 0x1p-50);
+  }
+
+  void find_own(const Point& p, std::uint32_t object) {
+    own_.clear();
     for (const ZoneObjects::Edge& e : zones_.objects.edges)
-      if (e.object == object) {
-        const Interval found = estimated_distance(p, e);
-        nearest = {std::min(nearest.low, found.low), std::min(nearest.high, found.high)};
-      }
-    return nearest;
+      if (e.object == object) own_.push_back({&e, estimated_distance(p, e)});
   }
 
-  Rational squared_distance_of(const Point& p, std::uint32_t object) const {
-    const double most = distance_of(p, object).high;
-    std::optional<Rational> least;
-    for (const ZoneObjects::Edge& e : zones_.objects.edges) {
-      if (e.object != object || estimated_distance(p, e).low > most) continue;
-      const Rational found = squared_distance(RationalPoint(p), e.a, e.b);
-      if (!least || found < *least) least = found;
+  Rational squared_distance_of(const Point& p, const Interval& mine) const {
+    std::optional<Rational> nearest;
+    for (const Near& n : own_) {
+      if (n.distance.low > mine.high) continue;
+      const Rational found = squared_distance(RationalPoint(p), n.edge->a, n.edge->b);
+      if (!nearest || found < *nearest) nearest = found;
     }
-    return *least;
+    return *nearest;
   }
 
-  bool is_exactly_within(const Point& p, std::uint32_t own, const Interval& mine, bool is_held) {
+  bool is_exactly_within(const Point& p, const Interval& mine, bool is_held) {
     ++measures_.exactly;
-    const Rational square = squared_distance_of(p, own), epsilon(bounds_.epsilon);
+    const Rational square = squared_distance_of(p, mine), epsilon(bounds_.epsilon);
     if (is_held) return root_is_within(square, 0, epsilon);
     return std::all_of(near_.begin(), near_.end(), [&](const Near& n) {
-      if (n.edge->object == own) return true;
-      if (mine.high * (1 + 0x1p-50) <= (n.distance.low + bounds_.epsilon) * (1 - 0x1p-50)) return true;
-      return root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon);
+      return is_surely_within(mine, n.distance) ||
+             root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon);
     });
   }
 
@@ -199,7 +206,7 @@ class DistanceCheck {
   std::vector<Stroke> borders_;
   NumberedAreas rows_, frame_;
   Box frame_box_;
-  std::vector<Near> near_;
+  std::vector<Near> near_, own_;
   ZoneDistanceMeasures measures_;
   std::optional<Fault> fault_;
 };
