@@ -1,5 +1,5 @@
-// Z1 and Z2. Edges of rows, objects and frame are cut where they meet; the labels of both sides of every piece say which
-// objects and rows are there.
+// Z1 and Z2. Edges of rows, objects and frame are cut where they meet; the labels of both sides of every piece say
+// which objects and rows are there.
 //
 // Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
 // edges in its place, where labels are wrong. A fault is excused if it is beside an edge that may have moved, and if a
@@ -11,25 +11,11 @@
 #include "verify/edges.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
+#include "verify/zone_arrangement.h"
 #include "verify/zones.h"
 
 namespace oblast::verify {
 namespace {
-
-enum class Kind { row, region, line, frame };
-
-struct Source : Stroke {
-  Kind kind;
-  std::uint32_t object = no_feature;
-  bool may_move = false;
-};
-
-
-double distance(const Point& p, const Stroke& s) {
-  return std::sqrt(static_cast<double>(squared_distance(RationalPoint(p), s.a, s.b)));
-}
-
-bool is_double(const Rational& value) { return Rational(round_to_nearest(value)) == value; }
 
 std::string text(const std::vector<std::uint32_t>& numbers) {
   std::string list;
@@ -39,124 +25,26 @@ std::string text(const std::vector<std::uint32_t>& numbers) {
 
 class CoverCheck {
  public:
-  CoverCheck(const JudgedZones& zones, const ZoneCoverBounds& bounds) : zones_(zones), bounds_(bounds) {
-    collect();
-    std::vector<Box> boxes;
-    for (const Source& s : sources_) boxes.push_back(s.box());
-    tree_ = BoxTree(std::move(boxes));
-  }
+  CoverCheck(const JudgedZones& zones, const ZoneCoverBounds& bounds)
+      : zones_(zones), bounds_(bounds), all_(zones, bounds.moved) {}
 
   std::optional<Fault> run(ZoneCoverMeasures* measures) {
-    find_moved();
-    for (std::uint32_t s = 0; s < sources_.size() && !fault_; ++s) check(s);
+    for (const ZoneEdge& e : all_.edges()) {
+      check(e);
+      if (fault_) break;
+    }
     if (measures) *measures = measures_;
     return fault_;
   }
 
  private:
-  void collect() {
-    std::vector<Stroke> borders;
-    for (std::size_t r = 0; r < zones_.rows.feature_count(); ++r)
-      for (const PolygonView polygon : regions_of(zones_.rows, r).polygons()) {
-        std::vector<Stroke> edges = boundary_of(polygon);
-        borders.insert(borders.end(), edges.begin(), edges.end());
-        rows_.add(std::move(edges), zones_.keys[r].a);
-      }
-    std::sort(borders.begin(), borders.end(), [](const Stroke& s, const Stroke& t) {
-      return s.a != t.a ? lexicographically_less(s.a, t.a) : lexicographically_less(s.b, t.b);
-    });
-    borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
-    for (const Stroke& s : borders) sources_.push_back({s, Kind::row});
-    for (const PolygonView polygon : zones_.frame.polygons()) {
-      std::vector<Stroke> edges = boundary_of(polygon);
-      for (const Stroke& s : edges) sources_.push_back({s, Kind::frame});
-      frame_.add(std::move(edges), 0);
-    }
-    for (const ZoneObjects::Edge& e : zones_.objects.edges)
-      sources_.push_back({e, e.of_region ? Kind::region : Kind::line, e.object});
-    rows_.build();
-    frame_.build();
-  }
-
-  static bool holds(const Source& s, const Point& p) {
-    return p != s.a && p != s.b && s.box().meets(Box(p, p)) && side_of_line(s.a, s.b, p) == 0;
-  }
-
-  static bool cross(const Source& s, const Source& t) {
-    if (s.a == s.b || t.a == t.b) return false;
-    return side_of_line(s.a, s.b, t.a) * side_of_line(s.a, s.b, t.b) < 0 &&
-           side_of_line(t.a, t.b, s.a) * side_of_line(t.a, t.b, s.b) < 0;
-  }
-
-  template <class Visit>
-  void for_each_near(const Source& s, double margin, const Visit& visit) const {
-    Box box = s.box();
-    box.low = {box.low.x - margin, box.low.y - margin};
-    box.high = {box.high.x + margin, box.high.y + margin};
-    tree_.meeting(box, [&](std::uint32_t k) {
-      if (&sources_[k] != &s) visit(sources_[k]);
-    });
-  }
-
-  // Edges that cross at a place that is no double, and those that come near to another one without touching it there.
-  void find_moved() {
-    for (Source& s : sources_) {
-      if (s.kind == Kind::row) continue;
-      for_each_near(s, bounds_.moved, [&](const Source& t) {
-        if (s.may_move) return;
-        if (t.kind == Kind::row) {
-          // The frame is cut by borders, at places beside it.
-          if (s.kind == Kind::frame) s.may_move = is_beside(t.a, s) || is_beside(t.b, s);
-        } else if (cross(s, t)) {
-          const auto at = intersection_of_segments(s.a, s.b, t.a, t.b);
-          s.may_move = !is_double(at->x) || !is_double(at->y);
-        } else {
-          s.may_move = is_beside(t.a, s) || is_beside(t.b, s) || is_beside(s.a, t) || is_beside(s.b, t);
-        }
-      });
-    }
-  }
-
-  bool is_beside(const Point& p, const Stroke& s) const {
-    if (p == s.a || p == s.b || bounds_.moved == 0) return false;
-    if (s.a != s.b && side_of_line(s.a, s.b, p) == 0 && s.box().meets(Box(p, p))) return false;
-    return distance(p, s) <= bounds_.moved;
-  }
-
-  /// Where others meet the source, with its ends, along it.
-  std::vector<Location> cuts_of(const Source& s) const {
-    std::vector<Point> points{s.a, s.b};
-    std::vector<RationalPoint> crossings;
-    for_each_near(s, 0, [&](const Source& t) {
-      if (s.kind == Kind::row && t.kind == Kind::row) return;
-      for (const Point& p : {t.a, t.b})
-        if (holds(s, p)) points.push_back(p);
-      if (cross(s, t)) crossings.push_back(*intersection_of_segments(s.a, s.b, t.a, t.b));
-    });
-    std::sort(points.begin(), points.end(), lexicographically_less);
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    std::vector<Location> cuts;
-    if (crossings.empty()) {
-      for (const Point& p : points) cuts.emplace_back(p);
-      return cuts;
-    }
-    for (const Point& p : points) crossings.emplace_back(p);
-    std::sort(crossings.begin(), crossings.end(), [](const RationalPoint& p, const RationalPoint& q) {
-      return p.x != q.x ? p.x < q.x : p.y < q.y;
-    });
-    crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
-    for (const RationalPoint& p : crossings) cuts.emplace_back(p);
-    return cuts;
-  }
-
-  void check(std::uint32_t number) {
-    const Source& s = sources_[number];
+  void check(const ZoneEdge& s) {
     if (s.a == s.b) return check_point(s);
-    const std::vector<Location> cuts = cuts_of(s);
+    const std::vector<Location> cuts = all_.cuts_of(s);
     for (std::size_t i = 0; i + 1 < cuts.size() && !fault_; ++i) check_piece(s, cuts[i], cuts[i + 1]);
   }
 
-  void check_piece(const Source& s, const Location& from, const Location& to) {
+  void check_piece(const ZoneEdge& s, const Location& from, const Location& to) {
     ++measures_.pieces;
     const Location middle(from, to);
     std::string what = fault_at(middle, s.a.y == s.b.y);
@@ -166,7 +54,7 @@ class CoverCheck {
       else
         return fail(what, middle.rounded());
     }
-    if (s.kind == Kind::line && !is_in_own_row(s, middle)) {
+    if (s.of == ZoneEdge::line && !is_in_own_row(s, middle)) {
       if (s.may_move && is_near_row(s.object, from) && is_near_row(s.object, to))
         ++measures_.excused;
       else
@@ -176,8 +64,8 @@ class CoverCheck {
 
   /// What is wrong with the labels of both sides of a place; empty: nothing.
   std::string fault_at(const Location& p, bool on_horizontal) const {
-    const auto regions = zones_.objects.regions.beside(p, on_horizontal), rows = rows_.beside(p, on_horizontal);
-    const auto frame = frame_.beside(p, on_horizontal);
+    const auto regions = zones_.objects.regions.beside(p, on_horizontal), rows = all_.rows().beside(p, on_horizontal);
+    const auto frame = all_.frame().beside(p, on_horizontal);
     std::string what = fault_of(frame.first, regions.first, rows.first);
     return what.empty() ? fault_of(frame.second, regions.second, rows.second) : what;
   }
@@ -192,9 +80,9 @@ class CoverCheck {
     return {};
   }
 
-  bool is_in_own_row(const Source& s, const Location& p) const {
+  bool is_in_own_row(const ZoneEdge& s, const Location& p) const {
     const bool on_horizontal = s.a.y == s.b.y;
-    const auto frame = frame_.beside(p, on_horizontal), rows = rows_.beside(p, on_horizontal);
+    const auto frame = all_.frame().beside(p, on_horizontal), rows = all_.rows().beside(p, on_horizontal);
     if (frame.first.empty() && frame.second.empty()) return true;
     std::vector<std::uint32_t> holders;
     const auto regions = zones_.objects.regions.beside(p, on_horizontal);
@@ -202,8 +90,8 @@ class CoverCheck {
     holders.insert(holders.end(), regions.second.begin(), regions.second.end());
     if (holders.empty()) {  // the lowest of the lines
       holders.push_back(s.object);
-      for_each_near(s, 0, [&](const Source& t) {
-        if (t.kind == Kind::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
+      all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
+        if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
             side_of_line(t.a, t.b, s.b) == 0 && t.box().meets(p.box()))
           holders[0] = std::min(holders[0], t.object);
       });
@@ -217,10 +105,10 @@ class CoverCheck {
     });
   }
 
-  void check_point(const Source& s) {
+  void check_point(const ZoneEdge& s) {
     ++measures_.pieces;
-    if (frame_.closed_at(s.a).empty()) return;
-    const std::vector<std::uint32_t> rows = rows_.closed_at(s.a);
+    if (all_.frame().closed_at(s.a).empty()) return;
+    const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
     if (holds_any(rows, holders_of(s))) return;
     if (s.may_move && is_near_row(s.object, Location(s.a)))
       ++measures_.excused;
@@ -229,14 +117,14 @@ class CoverCheck {
   }
 
   /// The objects that may have a point: regions and lines that hold it, else the lowest of equal points.
-  std::vector<std::uint32_t> holders_of(const Source& point) const {
+  std::vector<std::uint32_t> holders_of(const ZoneEdge& point) const {
     std::vector<std::uint32_t> holders = zones_.objects.regions.closed_at(point.a);
     std::uint32_t lowest = point.object;
-    for_each_near(point, 0, [&](const Source& t) {
+    all_.for_each_near(point, 0, [&](const ZoneEdge& t) {
       if (t.object == no_feature) return;
       if (t.a == t.b) {
         lowest = std::min(lowest, t.object);
-      } else if (t.a == point.a || t.b == point.a || holds(t, point.a)) {
+      } else if (t.a == point.a || t.b == point.a || has_inside(t, point.a)) {
         holders.push_back(t.object);
       }
     });
@@ -246,9 +134,9 @@ class CoverCheck {
 
   bool is_near_row(std::uint32_t object, const Location& p) const {
     bool found = false;
-    for_each_near({{p.rounded(), p.rounded()}, Kind::line}, bounds_.moved, [&](const Source& t) {
-      if (found || t.kind != Kind::row || !is_near(p, t)) return;
-      const auto sides = rows_.beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
+    all_.for_each_near({{p.rounded(), p.rounded()}, ZoneEdge::line}, bounds_.moved, [&](const ZoneEdge& t) {
+      if (found || t.of != ZoneEdge::row || !is_near(p, t)) return;
+      const auto sides = all_.rows().beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
       found = std::binary_search(sides.first.begin(), sides.first.end(), object) ||
               std::binary_search(sides.second.begin(), sides.second.end(), object);
     });
@@ -259,13 +147,14 @@ class CoverCheck {
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver: an edge that may have moved on one hand, its pieces in the rows on the other.
-  bool is_sliver(const Source& s, const Location& from, const Location& middle, const Location& to) const {
-    if (bounds_.moved == 0 || (s.kind != Kind::row && !s.may_move)) return false;
+  /// Whether the piece is beside a sliver: an edge that may have moved on one hand, its pieces in the rows on the
+  /// other.
+  bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
+    if (bounds_.moved == 0 || (s.of != ZoneEdge::row && !s.may_move)) return false;
     for (const Location* p : {&from, &middle, &to}) {
       bool found = false;
-      for_each_near({{p->rounded(), p->rounded()}, Kind::line}, 2 * bounds_.moved, [&](const Source& t) {
-        if (found || &t == &s || (s.kind == Kind::row ? t.kind == Kind::row || !t.may_move : t.kind != Kind::row))
+      all_.for_each_near({{p->rounded(), p->rounded()}, ZoneEdge::line}, 2 * bounds_.moved, [&](const ZoneEdge& t) {
+        if (found || &t == &s || (s.of == ZoneEdge::row ? t.of == ZoneEdge::row || !t.may_move : t.of != ZoneEdge::row))
           return;
         if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
         found = is_near(*p, t);
@@ -275,7 +164,7 @@ class CoverCheck {
     return is_right_away_from(s, middle);
   }
 
-  bool is_right_away_from(const Source& s, const Location& middle) const {
+  bool is_right_away_from(const ZoneEdge& s, const Location& middle) const {
     const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, length = std::sqrt(dx * dx + dy * dy);
     bool right[2] = {};
     for (const double steps : {1.5, 3.0, 6.0, 12.0})
@@ -294,9 +183,7 @@ class CoverCheck {
 
   const JudgedZones& zones_;
   const ZoneCoverBounds& bounds_;
-  std::vector<Source> sources_;
-  NumberedAreas rows_, frame_;
-  BoxTree tree_;
+  ZoneArrangement all_;
   ZoneCoverMeasures measures_;
   std::optional<Fault> fault_;
 };

@@ -38,12 +38,12 @@ struct ZoneCoverMeasures {
 /// - they are canonical, and their edges meet at common ends only (check_rows); keys ascend;
 /// - every place of the frame is in one row, or at most one if not `is_whole`, and places out of the frame are in none;
 /// - a place in the regions of objects is in the row of the lowest of them;
-/// - a place of a line is in the closed row of its object; if other lines overlap it, of the lowest of their objects; if
-///   it is in regions, in the row of one of them;
+/// - a place of a line is in the closed row of its object; if other lines overlap it, of the lowest of their
+///   objects; if it is in regions, in the row of one of them;
 /// - a point is in the closed row of its object; if others are equal, of the lowest of their objects; if it is on lines
 ///   or in regions, in the row of one of them.
-/// All edges of rows, objects and frame are cut where they meet, and both sides of every piece are tested. Every face of
-/// this arrangement has such a side, so nothing is left out. Cost: O((n + k) log n) for n edges with k meetings, if
+/// All edges of rows, objects and frame are cut where they meet, and both sides of every piece are tested. Every face
+/// of this arrangement has such a side, so nothing is left out. Cost: O((n + k) log n) for n edges with k meetings, if
 /// rows and polygons do not nest deeply.
 std::optional<Fault> check_zone_cover(const JudgedZones& zones, const ZoneCoverBounds& bounds,
                                       ZoneCoverMeasures* measures = nullptr);
@@ -62,16 +62,13 @@ struct ZoneDistanceMeasures {
   std::uint64_t exactly = 0;  ///< so many of them by rational numbers
 };
 
-/// Tests places x in the frame, at vertices of rows, on edges of rows and a few units in the last place beside: for each
-/// closed row of an object i that holds x, and every other object j, d(x, i) <= d(x, j) + epsilon. Distances are
+/// Tests places x in the frame, at vertices of rows, on edges of rows and a few units in the last place beside: for
+/// each closed row of an object i that holds x, and every other object j, d(x, i) <= d(x, j) + epsilon. Distances are
 /// compared exactly. REQUIRES: check_zone_cover found no fault. Cost: O(log n) for a place.
 std::optional<Fault> check_zone_distances(const JudgedZones& zones, const ZoneDistanceBounds& bounds,
                                           ZoneDistanceMeasures* measures = nullptr);
 
 /// The unit in the last place of the largest coordinate.
 double zone_unit(const JudgedZones& zones);
-
-/// sqrt(a) <= sqrt(b) + e, exactly. REQUIRES: none is negative.
-bool root_is_within(const Rational& a, const Rational& b, const Rational& e);
 
 }  // namespace oblast::verify

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "verify/distance.h"
 #include "verify/text_regions.h"
 #include "verify/voronoi.h"
 
@@ -51,8 +52,8 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 /// Two points; the border is x = 5.
 Example two_points() {
-  return {{}, {}, {}, {{0, 0}, {10, 0}}, "-5 -5, 15 -5, 15 5, -5 5",
-          {"-5 -5, 5 -5, 5 5, -5 5", "5 -5, 15 -5, 15 5, 5 5"}};
+  return {
+      {}, {}, {}, {{0, 0}, {10, 0}}, "-5 -5, 15 -5, 15 5, -5 5", {"-5 -5, 5 -5, 5 5, -5 5", "5 -5, 15 -5, 15 5, 5 5"}};
 }
 
 /// Two squares that share a side, one of them with a notch in it, and a frame whose zones go on from there.
@@ -66,8 +67,8 @@ Example two_squares() {
 
 /// Two parallel lines; the border is y = 2.
 Example two_lines() {
-  return {{}, {{0, 0}, {8, 0}, {0, 4}, {8, 4}}, {2, 4}, {}, "0 -2, 8 -2, 8 6, 0 6",
-          {"0 -2, 8 -2, 8 2, 0 2", "0 2, 8 2, 8 6, 0 6"}};
+  return {{}, {{0, 0}, {8, 0}, {0, 4}, {8, 4}}, {2, 4},
+          {}, "0 -2, 8 -2, 8 6, 0 6",           {"0 -2, 8 -2, 8 2, 0 2", "0 2, 8 2, 8 6, 0 6"}};
 }
 
 TEST(ZonesJudge, LetsRightZonesPass) {
@@ -168,8 +169,7 @@ TEST(ZonesJudge, ExcusesSliversBesideEdgesThatMoved) {
             "5 -5.833333333333333, 7 -7, 15 0, 7 7, 5 5.833333333333333"};
   EXPECT_EQ(e.fault(0, ulp), "");
   EXPECT_NE(e.fault(0, 0), "");
-  e.rows = {"-5 0, 5 -5.8333, 5 5.833333333333333",
-            "5 -5.8333, 7 -7, 15 0, 7 7, 5 5.833333333333333"};
+  e.rows = {"-5 0, 5 -5.8333, 5 5.833333333333333", "5 -5.8333, 7 -7, 15 0, 7 7, 5 5.833333333333333"};
   EXPECT_NE(e.fault(0, ulp), "");
   // A line crosses the squares at such places; that excuses neither a line without a row nor squares in the wrong row.
   e = two_squares();
@@ -229,12 +229,52 @@ TEST(ZonesJudge, DrawsVoronoiCells) {
   ASSERT_EQ(cells.size(), 5u);
   EXPECT_EQ(cells[0].size(), 4u);
   EXPECT_TRUE(cells[4].empty());
-  const RegionSet rows = regions_of("-1 -1, 1 -1, 1 1, -1 1 | 1 -1, 3 -1, 3 1, 1 1 | 1 1, 3 1, 3 3, 1 3 | -1 1, 1 1, 1 3, -1 3");
+  const RegionSet rows =
+      regions_of("-1 -1, 1 -1, 1 1, -1 1 | 1 -1, 3 -1, 3 1, 1 1 | 1 1, 3 1, 3 3, 1 3 | -1 1, 1 1, 1 3, -1 3");
   EXPECT_FALSE(check_voronoi(std::span(square).first(4), box, {rows, {}}, 0));
   RegionSet moved = rows;
   for (Point& p : moved.points)
     if (p == Point{1, 1}) p.x = std::nextafter(1, 2);
   EXPECT_TRUE(check_voronoi(std::span(square).first(4), box, {moved, {}}, 0.1));
+}
+
+// Exact cells with rounded vertices are zones: the parts of the judge agree with each other.
+TEST(ZonesJudge, FindsNoFaultInRoundedCells) {
+  std::mt19937_64 random(7);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Point> points;
+    for (int i = 0; i < 25; ++i) {
+      const auto coordinate = [&] { return static_cast<double>(random() % 64) / (round < 10 ? 4 : 3); };
+      points.push_back({coordinate(), coordinate()});
+    }
+    const Box box({-3, -3}, {24, 24});
+    RegionSet frame{{{-3, -3}, {24, -3}, {24, 24}, {-3, 24}}, {4}, {1}};
+    FeatureSet rows;
+    for (const auto& cell : voronoi_cells(points, box)) {
+      std::vector<Point> ring;
+      for (const RationalPoint& v : cell) ring.push_back({round_into_domain(v.x), round_into_domain(v.y)});
+      std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), lexicographically_less), ring.end());
+      rows.regions.points.insert(rows.regions.points.end(), ring.begin(), ring.end());
+      if (!ring.empty()) {
+        rows.regions.contour_ends.push_back(static_cast<std::uint32_t>(rows.regions.points.size()));
+        rows.regions.polygon_ends.push_back(static_cast<std::uint32_t>(rows.regions.contour_ends.size()));
+      }
+      rows.keys.push_back({static_cast<std::uint32_t>(rows.keys.size()), no_feature});
+      rows.feature_ends.push_back(static_cast<std::uint32_t>(rows.regions.polygon_ends.size()));
+    }
+    const ZoneObjects objects(ShapeFeatures{{{}, {}, points}, {}, {}, {}});
+    const JudgedZones zones{objects, frame, rows, rows.keys};
+    const auto uncovered = check_zone_cover(zones, {});
+    EXPECT_FALSE(uncovered) << uncovered->what;
+    ZoneDistanceBounds bounds;
+    bounds.epsilon = 8 * zone_unit(zones);
+    ZoneDistanceMeasures measures;
+    const auto further = check_zone_distances(zones, bounds, &measures);
+    EXPECT_FALSE(further) << further->what;
+    EXPECT_GT(measures.epsilon, 0);
+    EXPECT_GT(measures.exactly, 0u);
+    EXPECT_FALSE(check_voronoi(points, box, rows, 0));
+  }
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace {
 
 /// The points of a text such as "MULTIPOINT ((1 2), (3 4))".
 std::vector<Point> points_of(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
   std::istringstream numbers(text);
   std::string kind;
   numbers >> kind;

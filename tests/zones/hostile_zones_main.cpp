@@ -3,8 +3,8 @@
 //   oblast_hostile_zones --cases 1000                                     of every generator
 //   oblast_hostile_zones --generator fans --first-seed 7 --cases 1        one case again
 //
-// The exit code is 1 when a case failed. "most proved" is the largest quotient of the epsilon that was proved by the one
-// that was asked for, "most seen" that of the epsilon that was seen by the one that was proved: both are at most 1.
+// The exit code is 1 when a case failed. "most proved" is the largest quotient of the epsilon that was proved by the
+// one that was asked for, "most seen" that of the epsilon that was seen by the one that was proved: both are at most 1.
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
 

@@ -61,7 +61,8 @@ class Trial {
       return ZoneFailure{BrokenZones::nearness, fault->what};
     note(cover, distances);
     if (auto what = fault_of_statistics(objects); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
-    if (!trial_.voronoi || !box || !question_.has_points_only() || !question_.point_rows.empty() || !is_whole) return {};
+    if (!trial_.voronoi || !box || !question_.has_points_only() || !question_.point_rows.empty() || !is_whole)
+      return {};
     if (const auto fault = verify::check_voronoi(question_.points, *box, rows, statistics_.rounding))
       return ZoneFailure{BrokenZones::voronoi, fault->what};
     return {};
@@ -158,7 +159,8 @@ std::string to_text(const ZoneQuestion& question) {
     for (const std::uint32_t row : rows) print(" %u", row);
   };
   print("tolerance %.17g relative %.17g distance %.17g", o.tolerance, o.relative_tolerance, o.distance);
-  for (const auto& [name, regions] : {std::pair("frame", question.frame.view()), {"polygons", question.regions.view()}}) {
+  for (const auto& [name, regions] :
+       {std::pair("frame", question.frame.view()), {"polygons", question.regions.view()}}) {
     text += std::string("\n  ") + name;
     for (const PolygonView polygon : regions.polygons()) {
       text += " |";

@@ -46,8 +46,8 @@ struct ZoneFigures {
 };
 
 /// A question drawn from the operands: polygons, their outlines as lines, their vertices as points, or all of them; one
-/// object a shape, or several shapes an object; without a frame, in a box, or in the polygons of B; with tolerances from
-/// 1e-9 to 0.1 of the extent; sometimes with a largest distance.
+/// object a shape, or several shapes an object; without a frame, in a box, or in the polygons of B; with tolerances
+/// from 1e-9 to 0.1 of the extent; sometimes with a largest distance.
 ZoneQuestion draw_zones(const generators::Operands& operands, std::uint64_t seed);
 
 /// rows: a row for each object, with its number. cover: verify::check_zone_cover (Z1, Z2). nearness:
