@@ -14,7 +14,7 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
   b_ = mesh.points[last];
   object_ = object;
   const double length = distance(a_, b_);
-  if (length <= 2 * tolerance_) {
+  if (length <= 2 * room_.sampling) {
     // Each of its places is as near to one of its ends.
     error_ = std::max(error_, length / 2);
     narrow_ = true;
@@ -51,7 +51,7 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
   }
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
   // in, so this divides too little rather than too much.
-  const double wanted = std::sqrt(8 * radius_ * tolerance_);
+  const double wanted = std::sqrt(8 * radius_ * room_.sampling);
   return std::clamp(length > wanted ? std::ilogb(length / wanted) : 1, 1, 6);
 }
 
@@ -91,6 +91,9 @@ void PieceCheck::look_at(std::uint32_t triangle) {
   const Point& centre = diagram_.centre[triangle];
   const double radius = distance(centre, mesh.points[vertex[0]]);
   judge(centre, radius, vertex);
+  narrow_ |= distance_from_segment(centre, a_, b_) <= room_.flattening + margin_;
+  for (const std::uint32_t v : vertex)
+    narrow_ |= foreign(v) && distance_from_segment(mesh.points[v], a_, b_) <= room_.tolerance + margin_;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge side = triangulation::half_edge(triangle, i);
     if (mesh.triangles[triangulation::triangle_of(mesh.twin(side))].is_ghost()) continue;
@@ -117,7 +120,7 @@ void PieceCheck::look_at_crossing(HalfEdge side) {
 /// `sites`: some to which the place belongs, all at the distance `radius`.
 void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint32_t> sites) {
   const double apart = distance_from_segment(at, a_, b_), depth = radius - apart;
-  if (depth <= tolerance_) {
+  if (depth <= room_.sampling) {
     depth_ = std::max(depth_, depth);
     return;
   }
@@ -138,7 +141,7 @@ void PieceCheck::relax(const Point& at, double apart, double radius, std::uint32
     }
     relaxed->difference[i] = std::max(relaxed->difference[i], difference);
   }
-  if (relaxed->needed() > tolerance_) radius_ = std::max(radius_, radius);
+  if (relaxed->needed() > room_.sampling) radius_ = std::max(radius_, radius);
 }
 
 }  // namespace oblast::internal::zoning

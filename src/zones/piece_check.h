@@ -38,12 +38,13 @@ struct PieceEnds {
 class PieceCheck {
  public:
   PieceCheck(const Diagram& diagram, const PieceEnds& ends, const Room& room)
-      : diagram_(diagram), ends_(ends), tolerance_(room.tolerance), margin_(8 * room.unit) {}
+      : diagram_(diagram), ends_(ends), room_(room), margin_(8 * room.unit) {}
 
   /// How many times the piece is to be halved: 0 if it is short enough. `first`, `last`: vertices of its ends.
   int halvings(std::uint32_t first, std::uint32_t last, std::uint32_t object);
 
-  /// Whether the last piece is short enough only because of epsilon: it may pass through cells of other objects.
+  /// Whether the last piece is so near to sites of other objects, or to borders of their cells, that it may pass through
+  /// them, once borders are flattened.
   bool is_narrow() const { return narrow_; }
 
   /// The largest epsilon that a piece needed which was short enough.
@@ -59,7 +60,8 @@ class PieceCheck {
 
   const Diagram& diagram_;
   const PieceEnds& ends_;
-  double tolerance_, margin_;
+  const Room& room_;
+  double margin_;  ///< for the errors of distances
   double error_ = 0;
 
   // Of the piece:

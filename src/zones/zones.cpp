@@ -87,7 +87,10 @@ class Zones {
     statistics.rounds = sampled.rounds;
     statistics.error = sampled.error;
     noding::Strands strands;
-    append_cell_borders(sampled.diagram, skeleton.contacts, changes_, strands);
+    // Points alone have nothing to flatten: all their borders are straight.
+    const double flattening = skeleton.edges.empty() ? 0 : room_.flattening;
+    append_cell_borders(sampled.diagram, skeleton.contacts, flattening, changes_, strands);
+    statistics.error += 2 * flattening;
     if (append_strips(skeleton, sampled.narrow, strands))
       statistics.error = std::max(statistics.error, room_.tolerance / 16);
     return strands;

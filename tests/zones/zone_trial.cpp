@@ -79,7 +79,10 @@ class Trial {
     verify::Box box = box_of(objects);
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    const double margin = std::isinf(options_.distance) ? side / 10 : 1.5 * options_.distance;
+    const double largest = std::max(
+        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    double margin = side > 0 ? side / 10 : std::max(1.0, std::ldexp(largest, -20));
+    if (!std::isinf(options_.distance)) margin = std::max(1.5 * options_.distance, std::ldexp(largest, -40));
     box.low = {box.low.x - margin, box.low.y - margin};
     box.high = {box.high.x + margin, box.high.y + margin};
     return box;
