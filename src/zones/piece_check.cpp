@@ -130,17 +130,22 @@ void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint
 
 void PieceCheck::relax(const Point& at, double apart, double radius, std::uint32_t site) {
   auto relaxed = std::find_if(relaxed_.begin(), relaxed_.end(), [&](const Relaxed& r) { return r.site == site; });
-  if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0}});
+  if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0, 0}});
   const Mesh& mesh = diagram_.mesh;
+  const auto keep = [&](int i, double from_object) {
+    relaxed->difference[i] = std::max(relaxed->difference[i], from_object - apart);
+  };
+  Point end[2];
   for (const int i : {0, 1}) {
-    const std::uint32_t piece = ends_.at_vertex[site][i];
-    double difference = radius - apart;
-    if (piece != none) {
+    end[i] = mesh.points[site];
+    if (const std::uint32_t piece = ends_.at_vertex[site][i]; piece != none) {
       const auto [first, last] = ends_.of_piece[piece];
-      difference = distance_from_segment(at, mesh.points[first], mesh.points[last]) - apart;
+      end[i] = mesh.points[first == site ? last : first];
     }
-    relaxed->difference[i] = std::max(relaxed->difference[i], difference);
+    keep(i, distance_from_segment(at, mesh.points[site], end[i]));
   }
+  const bool straight_on = distance_from_segment(mesh.points[site], end[0], end[1]) <= margin_;
+  keep(2, straight_on ? distance_from_segment(at, end[0], end[1]) : radius);
   if (relaxed->needed() > room_.sampling) radius_ = std::max(radius_, radius);
 }
 

@@ -1,8 +1,8 @@
 // Whether a piece of an edge is short enough (sampling.h).
 //
 // Say the piece s belongs to object j, and the place y to the site p of another object i. Then y is as far from i as from
-// p, or less: not further than from the pieces of i that end at p. So what is asked is that for some such piece g, or for
-// p itself,
+// p, or less: not further than from the pieces of i that end at p. So what is asked is that for some such piece g (or for
+// two that go straight on, as one), or for p itself,
 //
 //     distance(y, g) <= distance(y, s) + epsilon        for all y of the cell of p
 //
@@ -72,9 +72,9 @@ class PieceCheck {
   /// A site that alone would not do, and the largest difference for each of its pieces.
   struct Relaxed {
     std::uint32_t site;
-    double difference[2];
+    double difference[3];
 
-    double needed() const { return std::min(difference[0], difference[1]); }
+    double needed() const { return std::min({difference[0], difference[1], difference[2]}); }
   };
   Array<Relaxed> relaxed_;
   double radius_ = 0;  ///< the largest one of circles that the piece cuts too deep

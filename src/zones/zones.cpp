@@ -21,9 +21,10 @@ using namespace internal;
 using namespace internal::zoning;
 namespace {
 
-/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2, noding
-/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both.
-constexpr double rounding_units = 32;
+/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2; noding moves
+/// objects and borders by 2 each; a distance that is compared with another one is off by the sum for both; a check of
+/// pieces takes two that are straight within 8 units for one (piece_check.h).
+constexpr double rounding_units = 48;
 
 void check_zone_options(const ZoneOptions& options) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
