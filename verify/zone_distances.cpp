@@ -83,7 +83,25 @@ class DistanceCheck {
       most = std::min(most, found.high);
       if (found.low <= limit()) near_.push_back({&objects.edges[k], found});
     });
-    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit(); });
+    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit() || is_thin(*n.edge, p); });
+  }
+
+  /// Whether the region on one side of the edge is thinner there than `thin`: another edge of its boundary is as near,
+  /// at the place next to p and a little on from there.
+  bool is_thin(const ZoneObjects::Edge& e, const Point& p) const {
+    if (bounds_.thin == 0 || !e.of_region) return false;
+    const double x = e.b.x - e.a.x, y = e.b.y - e.a.y;
+    const double t = std::clamp(((p.x - e.a.x) * x + (p.y - e.a.y) * y) / (x * x + y * y), 0.0, 1.0);
+    const Point here = at(e, t), on = at(e, t < 0.5 ? t + 0.01 : t - 0.01);
+    bool found = false;
+    const auto limit = [&] { return bounds_.thin; };
+    zones_.objects.tree.near(here, limit, [&](std::uint32_t k) {
+      const ZoneObjects::Edge& other = zones_.objects.edges[k];
+      if (&other == &e || !other.of_region || other.object != e.object) return;
+      found = found || (estimated_distance(here, other).low <= bounds_.thin &&
+                        estimated_distance(on, other).low <= bounds_.thin);
+    });
+    return found;
   }
 
   void check(const Point& p) {

@@ -122,13 +122,14 @@ class Finder {
     const Point none_here = skeleton_.edges.back().low;
     const std::uint32_t t = triangle_of(h);
     if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return none_here;
-    const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)], &c = mesh_.points[mesh_.apex(h)];
+    const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)],
+                &c = mesh_.points[mesh_.apex(h)];
     const Point middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
     const double part = std::min(1.0 / 8, room_.tolerance / 16 / distance(middle, c));
     const Point at{in_domain_near(middle.x + part * (c.x - middle.x)),
                    in_domain_near(middle.y + part * (c.y - middle.y))};
-    const bool inside = exact::orientation(a, b, at) > 0 && exact::orientation(b, c, at) > 0 &&
-                        exact::orientation(c, a, at) > 0;
+    const bool inside =
+        exact::orientation(a, b, at) > 0 && exact::orientation(b, c, at) > 0 && exact::orientation(c, a, at) > 0;
     return inside ? at : none_here;
   }
 
@@ -184,10 +185,10 @@ class Finder {
   const Room& room_;
   Mesh mesh_;
   Array<Piece> pieces_;
-  Array<HalfEdge> half_edges_;                ///< by piece: from low to high
-  Array<std::int32_t> cover_;                 ///< by triangle
-  Array<std::uint32_t> owner_, contact_;      ///< by vertex
-  Array<bool> on_edge_;                       ///< by vertex
+  Array<HalfEdge> half_edges_;            ///< by piece: from low to high
+  Array<std::int32_t> cover_;             ///< by triangle
+  Array<std::uint32_t> owner_, contact_;  ///< by vertex
+  Array<bool> on_edge_;                   ///< by vertex
   Skeleton skeleton_;
 };
 

@@ -22,7 +22,8 @@ namespace oblast::internal::zoning {
 
 struct Contact {
   Point at;
-  double radius;  ///< a power of two, at most Room::sampling, and at most a quarter of the distance to what does not meet here
+  double radius;  ///< a power of two, at most Room::sampling, and at most a quarter of the distance to what does not
+                  ///< meet here
 };
 
 /// An edge with a side that is not covered.
@@ -33,16 +34,16 @@ struct FreeEdge {
   std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
 };
 
-/// A strip along a free edge: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the edge, in
-/// the part that is nearer to this edge than to their other sides, and is at most a sixteenth of epsilon wide. A side that
-/// is covered, or too narrow, has no strip: there the tip is the end `low`.
+/// A strip along a free edge: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the
+/// edge, in the part that is nearer to this edge than to their other sides, and is at most a sixteenth of epsilon wide.
+/// A side that is covered, or too narrow, has no strip: there the tip is the end `low`.
 struct Strip {
   Point left, right;
 };
 
 struct Skeleton {
   LargeArray<FreeEdge> edges;
-  LargeArray<Strip> strips;  ///< by edge
+  LargeArray<Strip> strips;               ///< by edge
   Array<std::uint32_t> object_of_vertex;  ///< the lowest that has an edge there
   Array<Contact> contacts;
   Array<LonePoint> points;  ///< those that no polygon covers and no edge ends at

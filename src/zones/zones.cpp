@@ -21,9 +21,9 @@ using namespace internal;
 using namespace internal::zoning;
 namespace {
 
-/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2; noding moves
-/// objects and borders by 2 each; a distance that is compared with another one is off by the sum for both; a check of
-/// pieces takes two that are straight within 8 units for one (piece_check.h).
+/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2; noding
+/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both; a
+/// check of pieces takes two that are straight within 8 units for one (piece_check.h).
 constexpr double rounding_units = 48;
 
 void check_zone_options(const ZoneOptions& options) {
@@ -98,7 +98,8 @@ class Zones {
   }
 
   /// Edges that may pass through cells of other objects get strips along them, which count as area of their objects. So
-  /// lines lie in their zones exactly, and borders of cells that end at polygons do not move them. True if there are some.
+  /// lines lie in their zones exactly, and borders of cells that end at polygons do not move them. True if there are
+  /// some.
   static bool append_strips(const Skeleton& skeleton, const Array<bool>& narrow, noding::Strands& strands) {
     bool found = false;
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
@@ -126,8 +127,7 @@ class Zones {
     options.mode = BufferMode::outside;
     options.absolute_tolerance = room_.tolerance;
     BufferStatistics buffered;
-    const PipelineResult reach =
-        buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
+    const PipelineResult reach = buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
     add_region(reach.regions, reach_source(), strands, statistics);
   }
 
