@@ -181,13 +181,22 @@ class DistanceCheck {
     if (bounds_.lower == HUGE_VAL) return;
     const bool is_in_frame = std::any_of(frame_.areas.begin(), frame_.areas.end(),
                                          [&](const Area& area) { return area.where(p) == Area::Where::inside; });
-    if (!is_in_frame) return;
+    if (!is_in_frame || is_beside_frame(p)) return;
     find_near(p, 0);
     const bool is_near = !holders.empty() || std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
       return n.distance.low < bounds_.lower &&
              squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower));
     });
     if (is_near) fail("a place nearer than the largest distance is in no row", p);
+  }
+
+  /// As near to the frame's edges as rounding may have moved them.
+  bool is_beside_frame(const Point& p) const {
+    return std::any_of(frame_.areas.begin(), frame_.areas.end(), [&](const Area& area) {
+      return std::any_of(area.edges().begin(), area.edges().end(), [&](const Stroke& e) {
+        return bounds_.thin > 0 && estimated_distance(p, e).low <= bounds_.thin;
+      });
+    });
   }
 
   void fail(const std::string& what, const Point& p) {

@@ -70,7 +70,7 @@ class Zones {
       append(std::move(settled.polygons), strands);
       strands.rules.sources = &changes_;
     }
-    add_limits(strands, statistics.overlay);
+    add_limits(strands, statistics);
     Options options;
     options.statistics = &statistics.overlay;
     return keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options, control_,
@@ -105,12 +105,13 @@ class Zones {
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
       const FreeEdge& edge = skeleton.edges[e];
       const Strip& strip = skeleton.strips[e];
-      if (!narrow[e] || (strip.left == edge.low && strip.right == edge.low)) continue;
-      strands.points.push_back(edge.low);
-      if (strip.right != edge.low) strands.points.push_back(strip.right);
-      strands.points.push_back(edge.high);
-      if (strip.left != edge.low) strands.points.push_back(strip.left);
-      strands.points.push_back(edge.low);
+      if (!narrow[e] || (!strip.left.is_there && !strip.right.is_there)) continue;
+      auto& points = strands.points;
+      points.push_back(edge.low);
+      if (strip.right.is_there) points.insert(points.end(), {strip.right.first, strip.right.second});
+      points.push_back(edge.high);
+      if (strip.left.is_there) points.insert(points.end(), {strip.left.second, strip.left.first});
+      points.push_back(edge.low);
       strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
       found = true;
     }
@@ -118,17 +119,18 @@ class Zones {
   }
 
   /// The frame, and how far zones reach.
-  void add_limits(noding::Strands& strands, Statistics& statistics) {
+  void add_limits(noding::Strands& strands, ZoneStatistics& statistics) {
     const std::uint32_t end = static_cast<std::uint32_t>(room_.box_frame.size());
     add_region(room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end, 1}, {}}, frame_source(), strands,
-               statistics);
+               statistics.overlay);
     if (reach_source() == no_feature) return;
     BufferOptions options;
     options.mode = BufferMode::outside;
     options.absolute_tolerance = room_.tolerance;
     BufferStatistics buffered;
     const PipelineResult reach = buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
-    add_region(reach.regions, reach_source(), strands, statistics);
+    statistics.rounding += buffered.rounding;
+    add_region(reach.regions, reach_source(), strands, statistics.overlay);
   }
 
   void add_region(const RegionView& region, std::uint32_t source, noding::Strands& strands, Statistics& statistics) {
