@@ -122,7 +122,8 @@ class Finder {
   HalfStrip half_strip(HalfEdge h) const {
     const std::uint32_t t = triangle_of(h);
     if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return {};
-    const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)], &c = mesh_.points[mesh_.apex(h)];
+    const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)],
+                &c = mesh_.points[mesh_.apex(h)];
     const Point middle{a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3};
     const double longest = std::max(distance(a, middle), distance(b, middle));
     const double part = std::min(0.5, room_.tolerance / 16 / longest);

@@ -34,8 +34,8 @@ struct FreeEdge {
   std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
 };
 
-/// A strip along a free edge, on each of its sides that is not covered: in the triangle on that side, in the third of it
-/// that has this edge, and a sixteenth of epsilon wide at most.
+/// A strip along a free edge, on each of its sides that is not covered: in the triangle on that side, in the third of
+/// it that has this edge, and a sixteenth of epsilon wide at most.
 ///
 ///     low ------------- high
 ///        \ _________ /           first and second, from the edge's ends towards the middle of the triangle
