@@ -1,5 +1,6 @@
-// Includes overlays, layers with rows, buffer zones, checks of results, triangulation, point-in-region queries, WKT and
-// WKB. The papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C interface is c.h.
+// Includes overlays, layers with rows, buffer and proximity zones, checks of results, triangulation, point-in-region
+// queries, WKT and WKB. The papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C
+// interface is c.h.
 #pragma once
 
 #include <oblast/buffer.h>
@@ -21,3 +22,4 @@
 #include <oblast/wkb.h>
 #include <oblast/wkt.h>
 #include <oblast/workspace.h>
+#include <oblast/zones.h>
