@@ -54,12 +54,13 @@ class CoverCheck {
       else
         return fail(what, middle.rounded());
     }
-    if (s.of == ZoneEdge::line && !is_in_own_row(s, middle)) {
-      if (s.may_move && is_near_row(s.object, from) && is_near_row(s.object, to))
-        ++measures_.excused;
-      else
-        fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
-    }
+    if (s.of != ZoneEdge::line) return;
+    const std::vector<std::uint32_t> holders = holders_of(s, middle);
+    if (is_in_own_row(s, middle, holders)) return;
+    if (s.may_move && is_near_row(holders, from) && is_near_row(holders, to))
+      ++measures_.excused;
+    else
+      fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
   }
 
   /// What is wrong with the labels of both sides of a place; empty: nothing.
@@ -80,23 +81,25 @@ class CoverCheck {
     return {};
   }
 
-  bool is_in_own_row(const ZoneEdge& s, const Location& p) const {
+  bool is_in_own_row(const ZoneEdge& s, const Location& p, const std::vector<std::uint32_t>& holders) const {
     const bool on_horizontal = s.a.y == s.b.y;
     const auto frame = all_.frame().beside(p, on_horizontal), rows = all_.rows().beside(p, on_horizontal);
     if (frame.first.empty() && frame.second.empty()) return true;
-    std::vector<std::uint32_t> holders;
-    const auto regions = zones_.objects.regions.beside(p, on_horizontal);
-    holders.insert(holders.end(), regions.first.begin(), regions.first.end());
-    holders.insert(holders.end(), regions.second.begin(), regions.second.end());
-    if (holders.empty()) {  // the lowest of the lines
-      holders.push_back(s.object);
-      all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
-        if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
-            side_of_line(t.a, t.b, s.b) == 0 && t.box().meets(p.box()))
-          holders[0] = std::min(holders[0], t.object);
-      });
-    }
     return holds_any(rows.first, holders) || holds_any(rows.second, holders);
+  }
+
+  /// The objects that may have a place of a line: the lowest of the lines that hold it, and regions that do.
+  std::vector<std::uint32_t> holders_of(const ZoneEdge& s, const Location& p) const {
+    auto [holders, others] = zones_.objects.regions.beside(p, s.a.y == s.b.y);
+    holders.insert(holders.end(), others.begin(), others.end());
+    std::uint32_t lowest = s.object;
+    all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
+      if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
+          side_of_line(t.a, t.b, s.b) == 0 && t.box().meets(p.box()))
+        lowest = std::min(lowest, t.object);
+    });
+    holders.push_back(lowest);
+    return holders;
   }
 
   static bool holds_any(const std::vector<std::uint32_t>& ascending, const std::vector<std::uint32_t>& wanted) {
@@ -109,8 +112,9 @@ class CoverCheck {
     ++measures_.pieces;
     if (all_.frame().closed_at(s.a).empty()) return;
     const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
-    if (holds_any(rows, holders_of(s))) return;
-    if (s.may_move && is_near_row(s.object, Location(s.a)))
+    const std::vector<std::uint32_t> holders = holders_of(s);
+    if (holds_any(rows, holders)) return;
+    if (s.may_move && is_near_row(holders, Location(s.a)))
       ++measures_.excused;
     else
       fail("a point of object " + std::to_string(s.object) + " is in row " + text(rows), s.a);
@@ -132,13 +136,12 @@ class CoverCheck {
     return holders;
   }
 
-  bool is_near_row(std::uint32_t object, const Location& p) const {
+  bool is_near_row(const std::vector<std::uint32_t>& objects, const Location& p) const {
     bool found = false;
     all_.for_each_near({{p.rounded(), p.rounded()}, ZoneEdge::line}, bounds_.moved, [&](const ZoneEdge& t) {
       if (found || t.of != ZoneEdge::row || !is_near(p, t)) return;
       const auto sides = all_.rows().beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
-      found = std::binary_search(sides.first.begin(), sides.first.end(), object) ||
-              std::binary_search(sides.second.begin(), sides.second.end(), object);
+      found = holds_any(sides.first, objects) || holds_any(sides.second, objects);
     });
     return found;
   }
@@ -147,15 +150,14 @@ class CoverCheck {
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver: an edge that may have moved on one hand, its pieces in the rows on the
-  /// other.
+  /// Whether the piece is beside a sliver: on both of its sides are edges that may have moved, or the row edges in the
+  /// place of one of them.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0 || (s.of != ZoneEdge::row && !s.may_move)) return false;
     for (const Location* p : {&from, &middle, &to}) {
       bool found = false;
       all_.for_each_near({{p->rounded(), p->rounded()}, ZoneEdge::line}, 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (found || &t == &s || (s.of == ZoneEdge::row ? t.of == ZoneEdge::row || !t.may_move : t.of != ZoneEdge::row))
-          return;
+        if (found || &t == &s || (t.of == ZoneEdge::row ? s.of == ZoneEdge::row : !t.may_move)) return;
         if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
         found = is_near(*p, t);
       });
@@ -164,15 +166,18 @@ class CoverCheck {
     return is_right_away_from(s, middle);
   }
 
+  /// Whether labels are right at some place on each side of the edge that is a little further away than slivers are
+  /// wide. An edge may cross a sliver, so a step may go along it.
   bool is_right_away_from(const ZoneEdge& s, const Location& middle) const {
-    const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, length = std::sqrt(dx * dx + dy * dy);
     bool right[2] = {};
     for (const double steps : {1.5, 3.0, 6.0, 12.0})
-      for (const int side : {0, 1}) {
-        const double step = (side == 0 ? 1 : -1) * steps * bounds_.moved / length;
+      for (const auto& [dx, dy] : {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+        const double left_of_edge = (s.b.x - s.a.x) * dy - (s.b.y - s.a.y) * dx;
+        bool& is_right = right[left_of_edge > 0];
+        if (left_of_edge == 0 || is_right) continue;
+        const Rational step(steps * bounds_.moved);
         const RationalPoint& at = middle.exact();
-        const Location away(RationalPoint(at.x - Rational(step * dy), at.y + Rational(step * dx)));
-        right[side] = right[side] || fault_at(away, false).empty();
+        is_right = fault_at(Location(RationalPoint(at.x + step * dx, at.y + step * dy)), false).empty();
       }
     return right[0] && right[1];
   }

@@ -39,7 +39,7 @@ struct ZoneCoverMeasures {
 /// - every place of the frame is in one row, or at most one if not `is_whole`, and places out of the frame are in none;
 /// - a place in the regions of objects is in the row of the lowest of them;
 /// - a place of a line is in the closed row of its object; if other lines overlap it, of the lowest of their
-///   objects; if it is in regions, in the row of one of them;
+///   objects; if it is in regions, it may be in the row of one of them;
 /// - a point is in the closed row of its object; if others are equal, of the lowest of their objects; if it is on lines
 ///   or in regions, in the row of one of them.
 /// All edges of rows, objects and frame are cut where they meet, and both sides of every piece are tested. Every face

@@ -40,7 +40,8 @@ class Trial {
       if (rows.keys[r] != FeatureKey{r, no_feature}) return ZoneFailure{BrokenZones::rows, "another key"};
 
     const verify::ZoneObjects objects(question_.view());
-    const std::optional<verify::Box> box = question_.frame.points.empty() ? default_box(objects) : std::nullopt;
+    const std::optional<verify::Box> box =
+        question_.frame.points.empty() ? default_box(rows.regions.points) : std::nullopt;
     const RegionSet frame = box ? rectangle(*box) : question_.frame;
     const verify::JudgedZones zones{objects, frame, rows, rows.keys};
     const bool is_whole = std::isinf(options_.distance);
@@ -60,7 +61,7 @@ class Trial {
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
       return ZoneFailure{BrokenZones::nearness, fault->what};
     note(cover, distances);
-    if (auto what = fault_of_statistics(objects); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
+    if (auto what = fault_of_statistics(); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
     if (!trial_.voronoi || !box || !question_.has_points_only() || !question_.point_rows.empty() || !is_whole)
       return {};
     if (const auto fault = verify::check_voronoi(question_.points, *box, rows, statistics_.rounding))
@@ -68,17 +69,25 @@ class Trial {
     return {};
   }
 
-  static verify::Box box_of(const verify::ZoneObjects& objects) {
+  static verify::Box box_of(std::span<const Point> points) {
     verify::Box box;
-    for (const auto& e : objects.edges) box.add(e.box());
+    for (const Point& p : points) box.add({p, p});
     return box;
   }
 
-  /// The frame of a call without one, as zones() states it.
-  std::optional<verify::Box> default_box(const verify::ZoneObjects& objects) const {
-    verify::Box box = box_of(objects);
+  verify::Box box_of_objects() const {
+    verify::Box box = box_of(question_.regions.points);
+    box.add(box_of(question_.line_points));
+    box.add(box_of(question_.points));
+    return box;
+  }
+
+  /// The frame of a call without one, as zones() states it. Of a single place it is that of the rows.
+  std::optional<verify::Box> default_box(std::span<const Point> rows) const {
+    verify::Box box = box_of_objects();
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    if (side == 0) return box_of(rows);
     const double margin = std::isinf(options_.distance) ? side / 10 : 1.5 * options_.distance;
     box.low = {box.low.x - margin, box.low.y - margin};
     box.high = {box.high.x + margin, box.high.y + margin};
@@ -89,12 +98,13 @@ class Trial {
     return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {4}, {1}};
   }
 
-  std::string fault_of_statistics(const verify::ZoneObjects& objects) const {
-    const verify::Box box = box_of(objects);
+  std::string fault_of_statistics() const {
+    const verify::Box box = box_of_objects();
     if (box.empty()) return {};
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double asked = options_.tolerance > 0 ? options_.tolerance : side * options_.relative_tolerance;
-    if (statistics_.tolerance > asked * (1 + 1e-9)) return "the tolerance is larger than what was asked for";
+    // No tolerance is smaller than what rounding needs.
+    if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding)) return "the tolerance is larger than what was asked for";
     if (statistics_.error > statistics_.tolerance) return "the error is above the tolerance";
     if (question_.has_points_only() && statistics_.error != 0) return "points have an error";
     return {};
