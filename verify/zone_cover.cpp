@@ -2,8 +2,9 @@
 // which objects and rows are there.
 //
 // Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
-// edges in its place, where labels are wrong. A fault is excused if it is beside an edge that may have moved, and if a
-// small step away from the piece labels are right again.
+// edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone.
+// A fault is excused if it is beside an edge that may have moved, and if a small step away from the piece labels are
+// right again. A line or a point that moved is excused in the row of another object that is as near.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -57,7 +58,7 @@ class CoverCheck {
     if (s.of != ZoneEdge::line) return;
     const std::vector<std::uint32_t> holders = holders_of(s, middle);
     if (is_in_own_row(s, middle, holders)) return;
-    if (s.may_move && is_near_row(holders, from) && is_near_row(holders, to))
+    if (s.may_move && is_near_row(holders, from) && is_near_row(holders, middle) && is_near_row(holders, to))
       ++measures_.excused;
     else
       fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
@@ -136,12 +137,21 @@ class CoverCheck {
     return holders;
   }
 
-  bool is_near_row(const std::vector<std::uint32_t>& objects, const Location& p) const {
+  /// Whether the place is in the row of a holder or of an object that is as near as edges may have moved, or so near to
+  /// one; or as near to where the frame may have moved.
+  bool is_near_row(std::vector<std::uint32_t> holders, const Location& p) const {
+    const ZoneEdge here{{p.rounded(), p.rounded()}, ZoneEdge::line};
     bool found = false;
-    all_.for_each_near({{p.rounded(), p.rounded()}, ZoneEdge::line}, bounds_.moved, [&](const ZoneEdge& t) {
+    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
+      if (t.of == ZoneEdge::row || !is_near(p, t)) return;
+      if (t.of == ZoneEdge::frame) found |= t.may_move;
+      if (t.object != no_feature) holders.push_back(t.object);
+    });
+    found = found || holds_any(all_.rows().closed_at(p.rounded()), holders);
+    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
       if (found || t.of != ZoneEdge::row || !is_near(p, t)) return;
       const auto sides = all_.rows().beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
-      found = holds_any(sides.first, objects) || holds_any(sides.second, objects);
+      found = holds_any(sides.first, holders) || holds_any(sides.second, holders);
     });
     return found;
   }
