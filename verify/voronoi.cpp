@@ -54,7 +54,11 @@ class Comparison {
  public:
   Comparison(const Box& box, double tolerance) : box_(box), tolerance_(tolerance) {}
 
-  bool are_equal(std::span<const Point> found, std::span<const Point> expected) const {
+  /// Vertices of neighbours that rounding put on an edge of this cell are in it, too, so those are left out before.
+  bool are_equal(std::span<const Point> all, std::span<const Point> expected) const {
+    std::vector<Point> found;
+    for (const Point& p : all)
+      if (!is_beside_edge(p, expected)) found.push_back(p);
     if (found.size() != expected.size()) return false;
     for (std::size_t turn = 0; turn < found.size(); ++turn) {
       bool equal = true;
@@ -66,6 +70,17 @@ class Comparison {
   }
 
  private:
+  /// No vertex of the cell, but as near to an edge of it as rounding takes it.
+  bool is_beside_edge(const Point& p, std::span<const Point> cell) const {
+    for (const Point& v : cell)
+      if (are_equal(p, v)) return false;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      if (squared_distance(RationalPoint(p), cell[i], cell[(i + 1) % cell.size()]) <=
+          Rational(tolerance_) * Rational(tolerance_))
+        return true;
+    return false;
+  }
+
   bool are_equal(const Point& found, const Point& expected) const {
     if (found == expected) return true;
     const bool on_side = found.x == expected.x && (found.x == box_.low.x || found.x == box_.high.x);

@@ -40,8 +40,9 @@ struct ZoneOptions : CallOptions {
 ///
 /// Row i of the result is the zone of object i, with the key (i, no_feature). Object i is all shapes with the row number
 /// i; there is a row for every number up to the largest one. Polygons are the even-odd of their own rings. The frame is
-/// the union of its polygons. If it is empty, it is the box of all objects with a margin: a tenth of its larger side, or
-/// one and a half times `distance` if that is finite.
+/// the union of its polygons. If it is empty, it is the box of all objects with a margin: a tenth of its larger side (of
+/// a single place: 1, or 2^-20 of its largest coordinate if that is more), or one and a half times `distance` if that is
+/// finite.
 ///
 /// Coverage (Z1): zones leave no gap in the frame (but for places beyond `distance`) and do not overlap; they share
 /// their borders bit for bit, as promise G8 says.

@@ -105,7 +105,9 @@ Room make_room(const ShapeView& shapes, const RegionView& frame, const ZoneOptio
   room.unit = ulp_of(largest);
   const double wanted =
       options.tolerance > 0 ? options.tolerance : options.relative_tolerance * std::max(objects.side(), 0.0);
-  room.tolerance = std::max(wanted, 64 * room.unit);
+  room.tolerance = std::max(wanted, 96 * room.unit);
+  room.flattening = room.tolerance / 3;
+  room.sampling = room.tolerance - 2 * room.flattening;
   return room;
 }
 

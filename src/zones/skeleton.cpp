@@ -152,7 +152,7 @@ class Finder {
   /// None if it is too small.
   std::uint32_t make_contact(std::uint32_t v, HalfEdge leaving) {
     const Point at = mesh_.points[v];
-    double nearest = 2 * room_.tolerance;
+    double nearest = 4 * room_.sampling;
     HalfEdge h = leaving;
     do {
       const std::uint32_t p = mesh_.target(h), q = mesh_.apex(h);

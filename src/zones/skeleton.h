@@ -22,7 +22,7 @@ namespace oblast::internal::zoning {
 
 struct Contact {
   Point at;
-  double radius;  ///< a power of two, at most half of epsilon, and a quarter of the distance to what does not meet here
+  double radius;  ///< a power of two, at most Room::sampling, and at most a quarter of the distance to what does not meet here
 };
 
 /// An edge with a side that is not covered.

@@ -21,9 +21,10 @@ using namespace internal;
 using namespace internal::zoning;
 namespace {
 
-/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2, noding
-/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both.
-constexpr double rounding_units = 32;
+/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2; noding moves
+/// objects and borders by 2 each; a distance that is compared with another one is off by the sum for both; a check of
+/// pieces takes two that are straight within 8 units for one (piece_check.h).
+constexpr double rounding_units = 48;
 
 void check_zone_options(const ZoneOptions& options) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
@@ -87,7 +88,10 @@ class Zones {
     statistics.rounds = sampled.rounds;
     statistics.error = sampled.error;
     noding::Strands strands;
-    append_cell_borders(sampled.diagram, skeleton.contacts, changes_, strands);
+    // Points alone have nothing to flatten: all their borders are straight.
+    const double flattening = skeleton.edges.empty() ? 0 : room_.flattening;
+    append_cell_borders(sampled.diagram, skeleton.contacts, flattening, changes_, strands);
+    statistics.error += 2 * flattening;
     if (append_strips(skeleton, sampled.narrow, strands))
       statistics.error = std::max(statistics.error, room_.tolerance / 16);
     return strands;

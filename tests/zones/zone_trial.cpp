@@ -41,7 +41,7 @@ class Trial {
 
     const verify::ZoneObjects objects(question_.view());
     const std::optional<verify::Box> box =
-        question_.frame.points.empty() ? default_box(rows.regions.points) : std::nullopt;
+        question_.frame.points.empty() ? default_box() : std::nullopt;
     const RegionSet frame = box ? rectangle(*box) : question_.frame;
     const verify::JudgedZones zones{objects, frame, rows, rows.keys};
     const bool is_whole = std::isinf(options_.distance);
@@ -82,13 +82,15 @@ class Trial {
     return box;
   }
 
-  /// The frame of a call without one, as zones() states it. Of a single place it is that of the rows.
-  std::optional<verify::Box> default_box(std::span<const Point> rows) const {
+  /// The frame of a call without one, as zones() states it.
+  std::optional<verify::Box> default_box() const {
     verify::Box box = box_of_objects();
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    if (side == 0) return box_of(rows);
-    const double margin = std::isinf(options_.distance) ? side / 10 : 1.5 * options_.distance;
+    const double largest = std::max(
+        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    double margin = side > 0 ? side / 10 : std::max(1.0, std::ldexp(largest, -20));
+    if (!std::isinf(options_.distance)) margin = std::max(1.5 * options_.distance, std::ldexp(largest, -40));
     box.low = {box.low.x - margin, box.low.y - margin};
     box.high = {box.high.x + margin, box.high.y + margin};
     return box;
