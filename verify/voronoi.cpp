@@ -50,47 +50,47 @@ std::vector<Point> rounded(const Ring& ring) {
   return points;
 }
 
+/// Compares rows with exact cells. Where vertices are nearer to each other than `tolerance`, rounding may make edges
+/// cross and noding may part them again, so there the outline must be as near, but need not have the same vertices.
 class Comparison {
  public:
-  Comparison(const Box& box, double tolerance) : box_(box), tolerance_(tolerance) {}
+  Comparison(const Box& box, double tolerance, const std::vector<Ring>& cells)
+      : box_(box), square_(Rational(tolerance) * Rational(tolerance)) {
+    for (const Ring& cell : cells)
+      for (const Point& p : rounded(cell)) vertices_.push_back(p);
+  }
 
-  /// Vertices of neighbours that rounding put on an edge of this cell are in it, too, so those are left out before.
-  bool are_equal(std::span<const Point> all, std::span<const Point> expected) const {
-    std::vector<Point> found;
-    for (const Point& p : all)
-      if (!is_beside_edge(p, expected)) found.push_back(p);
-    if (found.size() != expected.size()) return false;
-    for (std::size_t turn = 0; turn < found.size(); ++turn) {
-      bool equal = true;
-      for (std::size_t i = 0; i < found.size() && equal; ++i)
-        equal = are_equal(found[(i + turn) % found.size()], expected[i]);
-      if (equal) return true;
-    }
-    return found.empty();
+  bool are_equal(std::span<const Point> found, std::span<const Point> expected) const {
+    if (found.empty() != expected.empty()) return false;
+    const auto is_found = [&](const Point& v) {
+      return std::any_of(found.begin(), found.end(), [&](const Point& p) {
+        return p == v || (may_move(v) && is_near(p, {v, v}));
+      });
+    };
+    const auto is_expected = [&](const Point& p) {
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        if (p == expected[i] || is_near(p, {expected[i], expected[(i + 1) % expected.size()]})) return true;
+      return false;
+    };
+    return std::all_of(expected.begin(), expected.end(), is_found) &&
+           std::all_of(found.begin(), found.end(), is_expected);
   }
 
  private:
-  /// No vertex of the cell, but as near to an edge of it as rounding takes it.
-  bool is_beside_edge(const Point& p, std::span<const Point> cell) const {
-    for (const Point& v : cell)
-      if (are_equal(p, v)) return false;
-    for (std::size_t i = 0; i < cell.size(); ++i)
-      if (squared_distance(RationalPoint(p), cell[i], cell[(i + 1) % cell.size()]) <=
-          Rational(tolerance_) * Rational(tolerance_))
-        return true;
-    return false;
+  bool is_near(const Point& p, const std::pair<Point, Point>& edge) const {
+    return squared_distance(RationalPoint(p), edge.first, edge.second) <= square_;
   }
 
-  bool are_equal(const Point& found, const Point& expected) const {
-    if (found == expected) return true;
-    const bool on_side = found.x == expected.x && (found.x == box_.low.x || found.x == box_.high.x);
-    const bool on_level = found.y == expected.y && (found.y == box_.low.y || found.y == box_.high.y);
-    return (on_side && std::abs(found.y - expected.y) <= tolerance_) ||
-           (on_level && std::abs(found.x - expected.x) <= tolerance_);
+  bool may_move(const Point& v) const {
+    if (v.x == box_.low.x || v.x == box_.high.x || v.y == box_.low.y || v.y == box_.high.y) return true;
+    return std::any_of(vertices_.begin(), vertices_.end(), [&](const Point& other) {
+      return other != v && is_near(other, {v, v});
+    });
   }
 
   const Box& box_;
-  double tolerance_;
+  Rational square_;
+  std::vector<Point> vertices_;
 };
 
 }  // namespace
@@ -114,7 +114,7 @@ std::optional<Fault> check_voronoi(std::span<const Point> points, const Box& box
                                    double tolerance) {
   if (rows.feature_count() != points.size()) return Fault{"there is not a row for each point", {}};
   const std::vector<Ring> cells = voronoi_cells(points, box);
-  const Comparison comparison(box, tolerance);
+  const Comparison comparison(box, tolerance, cells);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const RegionView row = regions_of(rows, i);
     const std::vector<Point> expected = rounded(cells[i]);

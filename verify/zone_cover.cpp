@@ -76,7 +76,7 @@ class CoverCheck {
                        const std::vector<std::uint32_t>& rows) const {
     if (frame.empty()) return rows.empty() ? "" : "rows reach out of the frame: " + text(rows);
     if (rows.size() > 1) return "rows overlap: " + text(rows);
-    if (rows.empty() && bounds_.is_whole) return "a place of the frame is in no row";
+    if (rows.empty() && bounds_.is_whole && !zones_.objects.edges.empty()) return "a place of the frame is in no row";
     if (!regions.empty() && (rows.empty() || rows[0] != regions[0]))
       return "a place in regions of objects (" + text(regions) + ") is in row " + text(rows);
     return {};

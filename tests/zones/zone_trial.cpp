@@ -40,8 +40,7 @@ class Trial {
       if (rows.keys[r] != FeatureKey{r, no_feature}) return ZoneFailure{BrokenZones::rows, "another key"};
 
     const verify::ZoneObjects objects(question_.view());
-    const std::optional<verify::Box> box =
-        question_.frame.points.empty() ? default_box() : std::nullopt;
+    const std::optional<verify::Box> box = question_.frame.points.empty() ? default_box() : std::nullopt;
     const RegionSet frame = box ? rectangle(*box) : question_.frame;
     const verify::JudgedZones zones{objects, frame, rows, rows.keys};
     const bool is_whole = std::isinf(options_.distance);
@@ -51,6 +50,7 @@ class Trial {
 
     verify::ZoneDistanceBounds bounds;
     bounds.epsilon = statistics_.error + statistics_.rounding;
+    bounds.moved = statistics_.rounding;
     bounds.places = trial_.places;
     bounds.seed = trial_.seed;
     if (!is_whole) {
@@ -87,8 +87,8 @@ class Trial {
     verify::Box box = box_of_objects();
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    const double largest = std::max(
-        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    const double largest =
+        std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
     double margin = side > 0 ? side / 10 : std::max(1.0, std::ldexp(largest, -20));
     if (!std::isinf(options_.distance)) margin = std::max(1.5 * options_.distance, std::ldexp(largest, -40));
     box.low = {box.low.x - margin, box.low.y - margin};
