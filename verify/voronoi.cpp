@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "verify/distance.h"
 #include "verify/edges.h"
 #include "verify/rows.h"
 
@@ -54,8 +55,7 @@ std::vector<Point> rounded(const Ring& ring) {
 /// cross and noding may part them again, so there the outline must be as near, but need not have the same vertices.
 class Comparison {
  public:
-  Comparison(const Box& box, double tolerance, const std::vector<Ring>& cells)
-      : box_(box), square_(Rational(tolerance) * Rational(tolerance)) {
+  Comparison(const Box& box, double tolerance, const std::vector<Ring>& cells) : box_(box), tolerance_(tolerance) {
     for (const Ring& cell : cells)
       for (const Point& p : rounded(cell)) vertices_.push_back(p);
   }
@@ -77,8 +77,10 @@ class Comparison {
   }
 
  private:
-  bool is_near(const Point& p, const std::pair<Point, Point>& edge) const {
-    return squared_distance(RationalPoint(p), edge.first, edge.second) <= square_;
+  bool is_near(const Point& p, const Stroke& edge) const {
+    const Interval found = estimated_distance(p, edge);
+    if (found.high < tolerance_ || found.low > tolerance_) return found.high < tolerance_;
+    return squared_distance(RationalPoint(p), edge.a, edge.b) <= Rational(tolerance_) * Rational(tolerance_);
   }
 
   bool may_move(const Point& v) const {
@@ -89,7 +91,7 @@ class Comparison {
   }
 
   const Box& box_;
-  Rational square_;
+  double tolerance_;
   std::vector<Point> vertices_;
 };
 
