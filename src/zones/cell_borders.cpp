@@ -151,7 +151,7 @@ class Walker {
   noding::Strands& strands_;
   Array<Point> path_;
   Array<double> limit_;  ///< by vertex of the path: how far it may be from the border if it is left out
-  Array<bool> passed_;  ///< by triangle
+  Array<bool> passed_;   ///< by triangle
 };
 
 }  // namespace

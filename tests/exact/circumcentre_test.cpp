@@ -57,9 +57,7 @@ TEST(Circumcentre, isNearestAtRandom) {
 
 TEST(Circumcentre, isNearestOnALattice) {
   Random random(2);
-  expect_right_often(3000, 2000, [&] {
-    return Point{random.between(-9, 9) / 1.0, random.between(-9, 9) / 1.0};
-  });
+  expect_right_often(3000, 2000, [&] { return Point{random.between(-9, 9) / 1.0, random.between(-9, 9) / 1.0}; });
 }
 
 TEST(Circumcentre, isNearestOfAlmostCollinearPoints) {
