@@ -3,8 +3,8 @@
 //
 // Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
 // edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone.
-// A fault is excused if it is beside an edge that may have moved, and if a small step away from the piece, or from that
-// edge, labels are right again. A line or a point that moved is excused in a row of another object that is as near.
+// A fault is excused if it is beside an edge that may have moved, and if a small step away from the piece labels are
+// right again. A line or a point that moved is excused in the row of another object that is as near.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -55,13 +55,13 @@ class CoverCheck {
       else
         return fail(what, middle.rounded());
     }
-    if (s.of == ZoneEdge::line && !is_in_own_row(s, middle)) {
-      const std::vector<std::uint32_t> holders = holders_of_line(s, middle);
-      if (s.may_move && is_near_row(holders, from) && is_near_row(holders, middle) && is_near_row(holders, to))
-        ++measures_.excused;
-      else
-        fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
-    }
+    if (s.of != ZoneEdge::line) return;
+    const std::vector<std::uint32_t> holders = holders_of(s, middle);
+    if (is_in_own_row(s, middle, holders)) return;
+    if (s.may_move && is_near_row(holders, from) && is_near_row(holders, middle) && is_near_row(holders, to))
+      ++measures_.excused;
+    else
+      fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
   }
 
   /// What is wrong with the labels of both sides of a place; empty: nothing.
@@ -76,28 +76,23 @@ class CoverCheck {
                        const std::vector<std::uint32_t>& rows) const {
     if (frame.empty()) return rows.empty() ? "" : "rows reach out of the frame: " + text(rows);
     if (rows.size() > 1) return "rows overlap: " + text(rows);
-    if (rows.empty() && bounds_.is_whole) return "a place of the frame is in no row";
+    if (rows.empty() && bounds_.is_whole && !zones_.objects.edges.empty()) return "a place of the frame is in no row";
     if (!regions.empty() && (rows.empty() || rows[0] != regions[0]))
       return "a place in regions of objects (" + text(regions) + ") is in row " + text(rows);
     return {};
   }
 
-  bool is_in_own_row(const ZoneEdge& s, const Location& p) const {
+  bool is_in_own_row(const ZoneEdge& s, const Location& p, const std::vector<std::uint32_t>& holders) const {
     const bool on_horizontal = s.a.y == s.b.y;
     const auto frame = all_.frame().beside(p, on_horizontal), rows = all_.rows().beside(p, on_horizontal);
     if (frame.first.empty() && frame.second.empty()) return true;
-    const std::vector<std::uint32_t> holders = holders_of_line(s, p);
     return holds_any(rows.first, holders) || holds_any(rows.second, holders);
   }
 
-  /// The objects that may have a place of a line: regions that it is in, or on the outline of, and the lowest line
-  /// there.
-  std::vector<std::uint32_t> holders_of_line(const ZoneEdge& s, const Location& p) const {
-    const bool on_horizontal = s.a.y == s.b.y;
-    std::vector<std::uint32_t> holders;
-    const auto regions = zones_.objects.regions.beside(p, on_horizontal);
-    holders.insert(holders.end(), regions.first.begin(), regions.first.end());
-    holders.insert(holders.end(), regions.second.begin(), regions.second.end());
+  /// The objects that may have a place of a line: the lowest of the lines that hold it, and regions that do.
+  std::vector<std::uint32_t> holders_of(const ZoneEdge& s, const Location& p) const {
+    auto [holders, others] = zones_.objects.regions.beside(p, s.a.y == s.b.y);
+    holders.insert(holders.end(), others.begin(), others.end());
     std::uint32_t lowest = s.object;
     all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
       if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
@@ -118,8 +113,9 @@ class CoverCheck {
     ++measures_.pieces;
     if (all_.frame().closed_at(s.a).empty()) return;
     const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
-    if (holds_any(rows, holders_of(s))) return;
-    if (s.may_move && is_near_row(holders_of(s), Location(s.a)))
+    const std::vector<std::uint32_t> holders = holders_of(s);
+    if (holds_any(rows, holders)) return;
+    if (s.may_move && is_near_row(holders, Location(s.a)))
       ++measures_.excused;
     else
       fail("a point of object " + std::to_string(s.object) + " is in row " + text(rows), s.a);
@@ -164,36 +160,34 @@ class CoverCheck {
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver: an edge that may have moved on one hand, its pieces in the rows on the
-  /// other.
+  /// Whether the piece is beside a sliver: on both of its sides are edges that may have moved, or the row edges in the
+  /// place of one of them.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0 || (s.of != ZoneEdge::row && !s.may_move)) return false;
-    std::vector<Stroke> beside{s};
     for (const Location* p : {&from, &middle, &to}) {
       bool found = false;
       all_.for_each_near({{p->rounded(), p->rounded()}, ZoneEdge::line}, 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (found || &t == &s || t.a == t.b) return;
-        // In place of the edge there are edges of rows, or nothing where another edge of the same area is beside it.
-        const bool matters = s.of == ZoneEdge::row ? t.of != ZoneEdge::row && t.may_move
-                                                   : t.of == ZoneEdge::row || (t.of == s.of && t.object == s.object);
-        if (!matters || (p == &middle && s.of != ZoneEdge::row && side_of_line(t.a, t.b, *p) == 0)) return;
+        if (found || &t == &s || (t.of == ZoneEdge::row ? s.of == ZoneEdge::row : !t.may_move)) return;
+        if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
         found = is_near(*p, t);
-        if (found && p == &middle) beside.push_back(t);
       });
       if (!found) return false;
     }
-    return std::any_of(beside.begin(), beside.end(), [&](const Stroke& t) { return is_right_away_from(t, middle); });
+    return is_right_away_from(s, middle);
   }
 
-  bool is_right_away_from(const Stroke& s, const Location& middle) const {
-    const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, length = std::sqrt(dx * dx + dy * dy);
+  /// Whether labels are right at some place on each side of the edge that is a little further away than slivers are
+  /// wide. An edge may cross a sliver, so a step may go along it.
+  bool is_right_away_from(const ZoneEdge& s, const Location& middle) const {
     bool right[2] = {};
     for (const double steps : {1.5, 3.0, 6.0, 12.0})
-      for (const int side : {0, 1}) {
-        const double step = (side == 0 ? 1 : -1) * steps * bounds_.moved / length;
+      for (const auto& [dx, dy] : {std::pair(1, 0), {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}) {
+        const double left_of_edge = (s.b.x - s.a.x) * dy - (s.b.y - s.a.y) * dx;
+        bool& is_right = right[left_of_edge > 0];
+        if (left_of_edge == 0 || is_right) continue;
+        const Rational step(steps * bounds_.moved);
         const RationalPoint& at = middle.exact();
-        const Location away(RationalPoint(at.x - Rational(step * dy), at.y + Rational(step * dx)));
-        right[side] = right[side] || fault_at(away, false).empty();
+        is_right = fault_at(Location(RationalPoint(at.x + step * dx, at.y + step * dy)), false).empty();
       }
     return right[0] && right[1];
   }

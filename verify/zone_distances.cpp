@@ -83,25 +83,7 @@ class DistanceCheck {
       most = std::min(most, found.high);
       if (found.low <= limit()) near_.push_back({&objects.edges[k], found});
     });
-    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit() || is_thin(*n.edge, p); });
-  }
-
-  /// Whether the region on one side of the edge is thinner there than `thin`: another edge of its boundary is as near,
-  /// at the place next to p and a little on from there.
-  bool is_thin(const ZoneObjects::Edge& e, const Point& p) const {
-    if (bounds_.thin == 0 || !e.of_region) return false;
-    const double x = e.b.x - e.a.x, y = e.b.y - e.a.y;
-    const double t = std::clamp(((p.x - e.a.x) * x + (p.y - e.a.y) * y) / (x * x + y * y), 0.0, 1.0);
-    const Point here = at(e, t), on = at(e, t < 0.5 ? t + 0.01 : t - 0.01);
-    bool found = false;
-    const auto limit = [&] { return bounds_.thin; };
-    zones_.objects.tree.near(here, limit, [&](std::uint32_t k) {
-      const ZoneObjects::Edge& other = zones_.objects.edges[k];
-      if (&other == &e || !other.of_region || other.object != e.object) return;
-      found = found || (estimated_distance(here, other).low <= bounds_.thin &&
-                        estimated_distance(on, other).low <= bounds_.thin);
-    });
-    return found;
+    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit(); });
   }
 
   void check(const Point& p) {
@@ -134,7 +116,7 @@ class DistanceCheck {
       measures_.epsilon = std::max(measures_.epsilon, excess);
     }
     if (own_.empty()) return fail("row " + std::to_string(own) + " has no object", p);
-    if (!is_surely_within(mine, others) && !is_exactly_within(p, mine, !holders.empty()))
+    if (!is_surely_within(mine, others) && !is_exactly_within(p, mine, holders))
       fail("object " + std::to_string(own) + " is further than another one by " +
                std::to_string((mine.high - others.low) / bounds_.epsilon) + " epsilon",
            p);
@@ -166,36 +148,71 @@ class DistanceCheck {
     return *nearest;
   }
 
-  bool is_exactly_within(const Point& p, const Interval& mine, bool is_held) {
+  bool is_exactly_within(const Point& p, const Interval& mine, std::span<const std::uint32_t> holders) {
     ++measures_.exactly;
     const Rational square = squared_distance_of(p, mine), epsilon(bounds_.epsilon);
-    if (is_held) return root_is_within(square, 0, epsilon);
+    if (!holders.empty()) return root_is_within(square, 0, epsilon) || is_in_thin_parts(p, holders);
     return std::all_of(near_.begin(), near_.end(), [&](const Near& n) {
-      return is_surely_within(mine, n.distance) ||
-             root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon);
+      if (is_surely_within(mine, n.distance) ||
+          root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon))
+        return true;
+      const bool is_excused = is_thin_at(p, *n.edge);
+      measures_.excused += is_excused;
+      return is_excused;
     });
+  }
+
+  /// Whether the polygon is thinner than edges may have moved, near to the place of the edge that is nearest to p:
+  /// another edge of its object is that near to it over some length.
+  bool is_thin_at(const Point& p, const ZoneObjects::Edge& e) const {
+    if (!e.of_region || bounds_.moved == 0) return false;
+    const double ex = e.b.x - e.a.x, ey = e.b.y - e.a.y, length = std::sqrt(ex * ex + ey * ey);
+    const double along = std::clamp(((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length), 0.0, 1.0);
+    const double step = std::min(64 * bounds_.moved / length, 0.5);
+    const Point aside = at(e, along < 0.5 ? along + step : along - step);
+    bool found = false;
+    const auto limit = [&] { return 2 * bounds_.moved; };
+    zones_.objects.tree.near(aside, limit, [&](std::uint32_t k) {
+      const ZoneObjects::Edge& other = zones_.objects.edges[k];
+      if (&other != &e && other.of_region && other.object == e.object)
+        found |= estimated_distance(aside, other).low <= 2 * bounds_.moved;
+    });
+    return found;
+  }
+
+  bool is_in_thin_parts(const Point& p, std::span<const std::uint32_t> holders) {
+    const bool is_excused = std::all_of(holders.begin(), holders.end(), [&](std::uint32_t object) {
+      bool is_thin = false;
+      zones_.objects.tree.near(
+          p, [&] { return bounds_.moved; },
+          [&](std::uint32_t k) {
+            const ZoneObjects::Edge& e = zones_.objects.edges[k];
+            is_thin |= e.object == object && estimated_distance(p, e).low <= bounds_.moved && is_thin_at(p, e);
+          });
+      return is_thin;
+    });
+    measures_.excused += is_excused;
+    return is_excused;
   }
 
   /// With a largest distance: a place of the frame in no row.
   void check_far(const Point& p, const std::vector<std::uint32_t>& holders) {
-    if (bounds_.lower == HUGE_VAL) return;
-    const bool is_in_frame = std::any_of(frame_.areas.begin(), frame_.areas.end(),
-                                         [&](const Area& area) { return area.where(p) == Area::Where::inside; });
-    if (!is_in_frame || is_beside_frame(p)) return;
+    if (bounds_.lower == HUGE_VAL || !is_in_frame(p)) return;
     find_near(p, 0);
-    const bool is_near = !holders.empty() || std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
+    const bool is_near = std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
       return n.distance.low < bounds_.lower &&
-             squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower));
+             squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower)) &&
+             !is_thin_at(p, *n.edge);
     });
-    if (is_near) fail("a place nearer than the largest distance is in no row", p);
+    if (is_near || (!holders.empty() && !is_in_thin_parts(p, holders)))
+      fail("a place nearer than the largest distance is in no row", p);
   }
 
-  /// As near to the frame's edges as rounding may have moved them.
-  bool is_beside_frame(const Point& p) const {
+  bool is_in_frame(const Point& p) const {
     return std::any_of(frame_.areas.begin(), frame_.areas.end(), [&](const Area& area) {
-      return std::any_of(area.edges().begin(), area.edges().end(), [&](const Stroke& e) {
-        return bounds_.thin > 0 && estimated_distance(p, e).low <= bounds_.thin;
-      });
+      return area.where(p) == Area::Where::inside &&
+             std::none_of(area.edges().begin(), area.edges().end(),
+                          [&](const Stroke& e) { return estimated_distance(p, e).low <= bounds_.moved; });
     });
   }
 

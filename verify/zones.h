@@ -36,10 +36,11 @@ struct ZoneCoverMeasures {
 
 /// Proves of rows, exactly:
 /// - they are canonical, and their edges meet at common ends only (check_rows); keys ascend;
-/// - every place of the frame is in one row, or at most one if not `is_whole`, and places out of the frame are in none;
+/// - every place of the frame is in one row, or at most one if not `is_whole`, and places out of the frame are in none
+///   (nor those of the frame if there is no object);
 /// - a place in the regions of objects is in the row of the lowest of them;
 /// - a place of a line is in the closed row of its object; if other lines overlap it, of the lowest of their
-///   objects; if it is in regions, in the row of one of them;
+///   objects; if it is in regions, it may be in the row of one of them;
 /// - a point is in the closed row of its object; if others are equal, of the lowest of their objects; if it is on lines
 ///   or in regions, in the row of one of them.
 /// All edges of rows, objects and frame are cut where they meet, and both sides of every piece are tested. Every face
@@ -52,7 +53,9 @@ struct ZoneDistanceBounds {
   double epsilon = 0;  ///< Z3
   /// With a largest distance: places nearer than `lower` are in a row, and no place of a row is further than `upper`.
   double lower = std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-  double thin = 0;              ///< parts of regions that are thinner may be gone, since rounding may close them
+  /// Polygons that are thinner than this may be gone where noding moved their edges, and the frame may have moved so
+  /// far.
+  double moved = 0;
   std::uint64_t places = 1000;  ///< so many in the frame, and so many on and beside borders
   std::uint64_t seed = 1;
 };
@@ -61,6 +64,7 @@ struct ZoneDistanceMeasures {
   double epsilon = 0;         ///< the largest d(x, own object) - min d(x, other object), up to rounding
   std::uint64_t places = 0;   ///< so many were tested, once for every row that holds them
   std::uint64_t exactly = 0;  ///< so many of them by rational numbers
+  std::uint64_t excused = 0;  ///< so many of them are nearer to a part of a polygon that is too thin
 };
 
 /// Tests places x in the frame, at vertices of rows, on edges of rows and a few units in the last place beside: for

@@ -50,13 +50,12 @@ class Trial {
 
     verify::ZoneDistanceBounds bounds;
     bounds.epsilon = statistics_.error + statistics_.rounding;
-    bounds.thin = statistics_.rounding;
+    bounds.moved = statistics_.rounding;
     bounds.places = trial_.places;
     bounds.seed = trial_.seed;
     if (!is_whole) {
       bounds.lower = options_.distance - statistics_.rounding;
-      bounds.upper =
-          options_.distance + 2 * (std::max(statistics_.tolerance, 1e-9 * options_.distance) + statistics_.rounding);
+      bounds.upper = options_.distance + statistics_.tolerance + statistics_.rounding;
     }
     verify::ZoneDistanceMeasures distances;
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
@@ -70,17 +69,22 @@ class Trial {
     return {};
   }
 
-  /// The box of all points that are given.
-  verify::Box box_of_all() const {
+  static verify::Box box_of(std::span<const Point> points) {
     verify::Box box;
-    for (const auto* points : {&question_.regions.points, &question_.line_points, &question_.points})
-      for (const Point& p : *points) box.add(verify::Box(p, p));
+    for (const Point& p : points) box.add({p, p});
+    return box;
+  }
+
+  verify::Box box_of_objects() const {
+    verify::Box box = box_of(question_.regions.points);
+    box.add(box_of(question_.line_points));
+    box.add(box_of(question_.points));
     return box;
   }
 
   /// The frame of a call without one, as zones() states it.
   std::optional<verify::Box> default_box() const {
-    verify::Box box = box_of_all();
+    verify::Box box = box_of_objects();
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double largest =
@@ -97,10 +101,11 @@ class Trial {
   }
 
   std::string fault_of_statistics() const {
-    const verify::Box box = box_of_all();
+    const verify::Box box = box_of_objects();
     if (box.empty()) return {};
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double asked = options_.tolerance > 0 ? options_.tolerance : side * options_.relative_tolerance;
+    // No tolerance is smaller than what rounding needs.
     if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding))
       return "the tolerance is larger than what was asked for";
     if (statistics_.error > statistics_.tolerance) return "the error is above the tolerance";
