@@ -1,5 +1,6 @@
-// Includes overlays, layers with rows, buffer zones, proximity zones, checks of results, triangulation, point-in-region queries, WKT and
-// WKB. The papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C interface is c.h.
+// Includes overlays, layers with rows, buffer and proximity zones, checks of results, triangulation, point-in-region
+// queries, WKT and WKB. The papers' other algorithms have headers of their own: classics.h, hull.h, layers.h. The C
+// interface is c.h.
 #pragma once
 
 #include <oblast/buffer.h>

@@ -24,4 +24,7 @@ inline constexpr double repair_share = 0.95;
 // Of a buffer, for the union of the regions, and of the rows of one that has rows. Not measured.
 inline constexpr double buffer_union_share = 0.3, buffer_rows_share = 0.95;
 
+// Of zones, for cutting the objects, and of what is left, for sampling them. Not measured.
+inline constexpr double zone_objects_share = 0.1, zone_sampling_share = 0.5;
+
 }  // namespace oblast::internal

@@ -4,69 +4,14 @@
 // between them, by expansions, decides.
 #include "exact/intersection_point.h"
 
-#include <oblast/domain.h>
-
 #include <cmath>
-#include <limits>
 
+#include "exact/double_double.h"
 #include "exact/expansion.h"
+#include "exact/rounded_exactly.h"
 
 namespace oblast::internal::exact {
 namespace {
-
-/// A double-double.
-struct Pair {
-  double high;
-  double low;
-
-  double size() const { return std::fabs(high); }
-};
-
-// Relative error of one operation below, generously: the true constants are below 8 * 2^-106. Where terms are
-// subtracted it is relative to the sum of their sizes.
-constexpr double unit = 0x1p-100;
-
-Pair exact_difference(double a, double b) {
-  Pair r;
-  two_diff(a, b, r.high, r.low);
-  return r;
-}
-
-Pair product(const Pair& p, const Pair& q) {
-  double x, y;
-  two_product(p.high, q.high, x, y);
-  y += p.high * q.low + p.low * q.high;
-  Pair r;
-  fast_two_sum(x, y, r.high, r.low);
-  return r;
-}
-
-/// p x q, and a bound on its absolute error.
-struct CrossProduct {
-  Pair value;
-  double error;
-};
-
-CrossProduct cross_product(const Pair& px, const Pair& py, const Pair& qx, const Pair& qy) {
-  const Pair left = product(px, qy), right = product(py, qx);
-  double x, y;
-  two_diff(left.high, right.high, x, y);
-  y += left.low - right.low;
-  CrossProduct r;
-  fast_two_sum(x, y, r.value.high, r.value.low);
-  r.error = 3 * unit * (left.size() + right.size());
-  return r;
-}
-
-Pair quotient(const Pair& p, const Pair& q) {
-  const double first = p.high / q.high;
-  double x, y;
-  two_product(first, q.high, x, y);
-  const double rest = ((p.high - x) - y + p.low - first * q.low) / q.high;
-  Pair r;
-  fast_two_sum(first, rest, r.high, r.low);
-  return r;
-}
 
 /// a + t * r rounded to nearest; NaN when the bound on the error of t does not settle it.
 double rounded(double a, const Pair& t, double t_error, const Pair& r) {
@@ -75,54 +20,8 @@ double rounded(double a, const Pair& t, double t_error, const Pair& r) {
   two_sum(a, step.high, x, y);
   y += step.low;
   fast_two_sum(x, y, high, low);
-  const double error = 1.01 * t_error * r.size() + 3 * unit * (std::fabs(a) + step.size());
-  if (high + (low + error) == high + (low - error) && (high == 0 || std::fabs(high) > domain_smallest)) return high;
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-/// The next coordinate of the domain above x (below: negate twice).
-double next_up(double x) {
-  if (x >= 0 && x < domain_smallest) return domain_smallest;
-  if (x < 0 && x >= -domain_smallest) return 0;
-  return std::nextafter(x, std::numeric_limits<double>::infinity());
-}
-
-/// The exact rational numerator / denominator, denominator > 0, against the midpoint of p and q.
-template <int N, int M>
-int compare_with_midpoint(const Expansion<N>& numerator, const Expansion<M>& denominator, double p, double q) {
-  double x, y;
-  two_sum(p / 2, q / 2, x, y);
-  Expansion<2> midpoint;
-  midpoint.push(y);
-  midpoint.push(x);
-  return (numerator - denominator * midpoint).sign();
-}
-
-bool is_even(double x) {
-  int exponent;
-  return std::fmod(std::ldexp(std::frexp(x, &exponent), 53), 2.0) == 0;
-}
-
-template <int N, int M>
-double rounded_exactly(const Expansion<N>& numerator, const Expansion<M>& denominator) {
-  double x = numerator.estimate() / denominator.estimate();
-  if (std::fabs(x) < domain_smallest) x = 0;
-  for (;;) {
-    const double above = next_up(x), below = -next_up(-x);
-    const int up = compare_with_midpoint(numerator, denominator, x, above);
-    if (up > 0 || (up == 0 && !is_even(x))) {
-      x = above;
-      if (up == 0) return x;
-      continue;
-    }
-    const int down = compare_with_midpoint(numerator, denominator, x, below);
-    if (down < 0 || (down == 0 && !is_even(x))) {
-      x = below;
-      if (down == 0) return x;
-      continue;
-    }
-    return x == 0 ? 0.0 : x;
-  }
+  const double error = 1.01 * t_error * r.size() + 3 * pair_unit * (std::fabs(a) + step.size());
+  return settled(high, low, error);
 }
 
 Point by_expansions(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -150,7 +49,7 @@ Point intersection_point(const Point& a, const Point& b, const Point& c, const P
     const CrossProduct numerator = cross_product(wx, wy, sx, sy);
     const Pair t = quotient(numerator.value, denominator.value);
     const double t_error =
-        1.01 * (numerator.error + t.size() * denominator.error) / denominator.value.size() + unit * t.size();
+        1.01 * (numerator.error + t.size() * denominator.error) / denominator.value.size() + pair_unit * t.size();
     const Point p{rounded(a.x, t, t_error, rx), rounded(a.y, t, t_error, ry)};
     if (p.x == p.x && p.y == p.y) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
   }

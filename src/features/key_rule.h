@@ -38,6 +38,16 @@ class KeyRule {
   /// (s, none), s the set of sources of A, where that is not empty.
   static KeyRule set() { return KeyRule(Kind::set); }
 
+  /// (i, none), i the first source of A or, where there is none, of B. Two sources of A do not count among these: places
+  /// that `frame` does not cover have no key, and neither have those that only B and not `reach` covers (no_feature:
+  /// B counts everywhere). REQUIRES: they are above all other sources.
+  static KeyRule lowest(std::uint32_t frame, std::uint32_t reach) {
+    KeyRule rule(Kind::lowest);
+    rule.frame_ = frame;
+    rule.reach_ = reach;
+    return rule;
+  }
+
   bool is_set() const { return kind_ == Kind::set; }
 
   /// Whether two faces have the same keys.
@@ -49,6 +59,8 @@ class KeyRule {
         return l.a == r.a;
       case Kind::count:
         return sets.a.size(l.a) == sets.a.size(r.a);
+      case Kind::lowest:
+        return lowest_of(sets, l) == lowest_of(sets, r);
       case Kind::pairs:
         break;
     }
@@ -68,6 +80,9 @@ class KeyRule {
       case Kind::set:
         if (l.a != none_ && l.a != r.a) visit(row_key(l.a));
         return;
+      case Kind::lowest:
+        if (const std::uint32_t i = lowest_of(sets, l); i != no_feature && i != lowest_of(sets, r)) visit(row_key(i));
+        return;
       case Kind::pairs:
         break;
     }
@@ -83,7 +98,7 @@ class KeyRule {
   }
 
  private:
-  enum class Kind { pairs, each, count, set };
+  enum class Kind { pairs, each, count, set, lowest };
   static constexpr SourceSets::Set none_ = SourceSets::empty;
 
   explicit KeyRule(Kind kind) : kind_(kind) {}
@@ -91,7 +106,15 @@ class KeyRule {
   SourceSets::Set a_alone(FaceLabel l) const { return a_alone_ && l.b == none_ ? l.a : none_; }
   SourceSets::Set b_alone(FaceLabel l) const { return b_alone_ && l.a == none_ ? l.b : none_; }
 
+  std::uint32_t lowest_of(const LabelSets& sets, FaceLabel l) const {
+    if (l.a == none_ || !sets.a.contains(l.a, frame_)) return no_feature;
+    if (const std::uint32_t i = sets.a.lowest(l.a); i < frame_) return i;
+    if (l.b == none_ || (reach_ != no_feature && !sets.a.contains(l.a, reach_))) return no_feature;
+    return sets.b.lowest(l.b);
+  }
+
   Kind kind_;
+  std::uint32_t frame_ = no_feature, reach_ = no_feature;  ///< of lowest: the two sources
   bool both_ = false, a_alone_ = false, b_alone_ = false;  ///< of pairs: which of them there are
 };
 

@@ -29,8 +29,6 @@ struct Batch {
 std::int32_t least(const FillRule& rule) { return rule.kind == FillRule::Kind::at_least ? rule.depth : 1; }
 
 Borders border_stages(noding::Strands strands, const KeyedJob& job, LabelSets& sets, Statistics& statistics) {
-  noding::SourceChanges changes(job.source_count);
-  strands.rules.sources = &changes;
   const Job noding{Operation::unite, job.options, job.control};
   const ChainGraph graph = node_stage(std::move(strands), noding, statistics);  // 2
   FaceLabels labels;
@@ -42,6 +40,7 @@ Borders border_stages(noding::Strands strands, const KeyedJob& job, LabelSets& s
   return find_borders(graph, labels, sets, job.rule, job.options.collinear);  // 4
 }
 
+/// REQUIRES: the changes of the strands are handles of `strands.rules.sources`.
 Batch run_batch(noding::Strands strands, const KeyedJob& job, Statistics& statistics) {
   LabelSets sets{SourceSets(least(job.options.fill_a)), SourceSets(least(job.options.fill_b))};
   const Borders borders = border_stages(std::move(strands), job, sets, statistics);
@@ -140,9 +139,20 @@ KeyedResult keyed_overlay(const KeyedJob& job, Statistics& statistics) {
   Array<Batch> batches;
   const auto begin = [&](std::size_t count) { batches.resize(count); };
   const auto run = [&](std::size_t i, noding::Strands batch, Statistics& done) {
+    noding::SourceChanges changes(job.source_count);
+    batch.rules.sources = &changes;
     batches[i] = run_batch(std::move(batch), job, done);
   };
   in_batches(std::move(strands), job.needs, job.control, statistics, {begin, run});
+  const InStage stage(Stage::assemble, 1, job.control, statistics);
+  return join_batches(std::move(batches), job);
+}
+
+KeyedResult keyed_overlay_of(noding::Strands strands, const KeyRule& rule, const Options& options, Control& control,
+                             Statistics& statistics) {
+  const KeyedJob job{{}, 0, rule, {}, options, control};
+  Array<Batch> batches(1);
+  batches[0] = run_batch(std::move(strands), job, statistics);
   const InStage stage(Stage::assemble, 1, job.control, statistics);
   return join_batches(std::move(batches), job);
 }

@@ -39,4 +39,9 @@ struct KeyedResult {
 
 KeyedResult keyed_overlay(const KeyedJob& job, Statistics& statistics);
 
+/// Stages 2 to 6 of strands from elsewhere, in one batch. REQUIRES: the changes of the strands are handles of
+/// `strands.rules.sources`, and around every point they sum to zero; the rule is not by sets.
+KeyedResult keyed_overlay_of(noding::Strands strands, const KeyRule& rule, const Options& options, Control& control,
+                             Statistics& statistics);
+
 }  // namespace oblast::internal

@@ -23,7 +23,16 @@ std::int32_t SourceChanges::add(std::int32_t p, std::int32_t q) {
 }
 
 SourceSets::Set SourceChanges::set_of(std::uint32_t number) {
-  return number <= source_count_ ? sets_.changed(SourceSets::empty, number - 1, 1) : number - source_count_;
+  if (number <= source_count_) return sets_.changed(SourceSets::empty, number - 1, 1);
+  if (number < first_pair) return number - source_count_;
+  const Pair pair = pairs_[number - first_pair];
+  return sets_.changed(sets_.changed(SourceSets::empty, pair.more, 1), pair.less, -1);
+}
+
+std::int32_t SourceChanges::add_pair(std::uint32_t more, std::uint32_t less) {
+  check_count(pairs_.size() + 1, "borders between rows", 0x7fffffff - first_pair);
+  pairs_.push_back({more, less});
+  return static_cast<std::int32_t>(first_pair + (pairs_.size() - 1));
 }
 
 std::int32_t SourceChanges::sum_of(std::int32_t p, std::int32_t q) {
@@ -38,7 +47,7 @@ std::int32_t SourceChanges::sum_of(std::int32_t p, std::int32_t q) {
       if (std::abs(count) == 1) handle = count * static_cast<std::int32_t>(source + 1);
     });
   if (handle == 0) {
-    check_count(std::size_t{sum} + source_count_, "rows, and sets of rows that share an edge", 0x7fffffff);
+    check_count(std::size_t{sum} + source_count_, "rows, and sets of rows that share an edge", first_pair - 1);
     handle = static_cast<std::int32_t>(sum + source_count_);
   }
   return p < 0 ? -handle : handle;

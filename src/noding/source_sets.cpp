@@ -80,6 +80,11 @@ bool SourceSets::contains(Set set, std::uint32_t source) const {
   return false;
 }
 
+std::uint32_t SourceSets::lowest(Set set) const {
+  while (!nodes_[set].is_leaf()) set = nodes_[set].left;
+  return nodes_[set].prefix;
+}
+
 SourceSets::Set SourceSets::leaf(std::uint32_t source, std::int32_t count) {
   if (count == 0) return empty;
   return keep({source, static_cast<std::uint32_t>(count), empty, 1, count == 1});

@@ -39,6 +39,8 @@ class SourceSets {
   /// How many sources are in it.
   std::uint32_t size(Set set) const { return set == empty ? 0 : nodes_[set].size; }
   bool contains(Set set, std::uint32_t source) const;
+  /// The first source of a set that is not empty. Cost: O(32).
+  std::uint32_t lowest(Set set) const;
 
   /// Calls visit(source) for each source, in order.
   template <class Visit>

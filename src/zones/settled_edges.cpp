@@ -1,0 +1,153 @@
+#include "zones/settled_edges.h"
+
+#include <oblast/domain.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "collect/collect.h"
+#include "noding/node_strands.h"
+#include "overlay/pipeline.h"
+
+namespace oblast::internal::zoning {
+namespace {
+
+using noding::Strands;
+using noding::Winding;
+
+Point clean(const Point& p) { return {p.x + 0.0, p.y + 0.0}; }
+
+std::int32_t once(std::uint32_t object) { return static_cast<std::int32_t>(object) + 1; }
+
+/// The line as paths that ascend. Appends it to `points` if it has no length.
+void add_line(std::span<const Point> line, std::uint32_t object, Strands& strands, Array<LonePoint>& points) {
+  Array<Point> path;
+  for (const Point& p : line)
+    if (path.empty() || path.back() != clean(p)) path.push_back(clean(p));
+  if (path.size() == 1) points.push_back({path[0], object});
+  for (std::size_t begin = 0, end; begin + 1 < path.size(); begin = end) {
+    const bool ascends = lexicographically_less(path[begin], path[begin + 1]);
+    end = begin + 1;
+    while (end + 1 < path.size() && lexicographically_less(path[end], path[end + 1]) == ascends) ++end;
+    const auto first = path.begin() + static_cast<std::ptrdiff_t>(begin),
+               past = path.begin() + static_cast<std::ptrdiff_t>(end + 1);
+    if (!ascends) std::reverse(first, past);
+    strands.points.insert(strands.points.end(), first, past);
+    if (!ascends) std::reverse(first, past);
+    strands.close_strand({0, once(object)}, noding::any_group);
+  }
+}
+
+/// The double beside x, towards zero; of numbers next to zero, the other way.
+double beside(double x) {
+  if (x == 0) return domain_smallest;
+  if (std::fabs(x) == domain_smallest) return 2 * x;
+  return std::nextafter(x, 0.0);
+}
+
+/// Its change is that of a source which is no object: edges without a change would be left out.
+void add_point(const LonePoint& point, std::uint32_t no_object, Strands& strands) {
+  const Point other{beside(point.at.x), point.at.y};
+  const bool first = lexicographically_less(point.at, other);
+  strands.points.push_back(first ? point.at : other);
+  strands.points.push_back(first ? other : point.at);
+  strands.close_strand({0, once(no_object)}, noding::any_group);
+}
+
+/// An edge of a strand.
+struct Piece {
+  Point low, high;
+  Winding change;  ///< of the edge from low to high
+};
+
+LargeArray<Piece> pieces_of(const Strands& strands) {
+  LargeArray<Piece> pieces;
+  pieces.reserve(strands.points.size());
+  Steps steps(strands.points.size());
+  for (std::uint32_t s = 0; s < strands.size(); ++s) {
+    if (strands.change[s].is_zero()) continue;
+    for (std::uint32_t v = strands.begin(s); v + 1 < strands.ends[s]; ++v) {
+      steps();
+      const Point &p = strands.points[v], &q = strands.points[v + 1];
+      if (lexicographically_less(p, q))
+        pieces.push_back({p, q, strands.change[s]});
+      else
+        pieces.push_back({q, p, -strands.change[s]});
+    }
+  }
+  parallel_sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+    return p.low != q.low ? lexicographically_less(p.low, q.low) : lexicographically_less(p.high, q.high);
+  });
+  return pieces;
+}
+
+/// One edge in place of all its copies.
+LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, std::uint32_t objects,
+                                 noding::SourceChanges& changes) {
+  LargeArray<SettledEdge> edges;
+  edges.reserve(pieces.size());
+  Steps steps(pieces.size());
+  for (std::size_t i = 0, end; i < pieces.size(); i = end) {
+    Winding change = pieces[i].change;
+    for (end = i + 1; end < pieces.size() && pieces[end].low == pieces[i].low && pieces[end].high == pieces[i].high;
+         ++end)
+      change = {changes.add(change.a, pieces[end].change.a), changes.add(change.b, pieces[end].change.b)};
+    steps();
+    SettledEdge edge{pieces[i].low, pieces[i].high, 0, none, none};
+    changes.for_each(change.a, [&](std::uint32_t object, std::int32_t count) {
+      edge.cover += count;
+      edge.outline_of = std::min(edge.outline_of, object);
+    });
+    changes.for_each(change.b, [&](std::uint32_t object, std::int32_t) {
+      if (object < objects) edge.line_of = std::min(edge.line_of, object);
+    });
+    if (edge.outline_of != none || edge.line_of != none) edges.push_back(edge);
+  }
+  return edges;
+}
+
+/// The strands of polygons alone.
+Strands polygons_of(Strands strands) {
+  Strands polygons;
+  polygons.rules = strands.rules;
+  for (std::uint32_t s = 0; s < strands.size(); ++s) {
+    if (strands.change[s].a == 0) continue;
+    polygons.points.insert(polygons.points.end(), strands.points.begin() + strands.begin(s),
+                           strands.points.begin() + strands.ends[s]);
+    polygons.close_strand({strands.change[s].a, 0}, noding::any_group);
+  }
+  return polygons;
+}
+
+void sort_points(Array<LonePoint>& points) {
+  parallel_sort(points.begin(), points.end(), [](const LonePoint& p, const LonePoint& q) {
+    return p.at != q.at ? lexicographically_less(p.at, q.at) : p.object < q.object;
+  });
+  const auto same = [](const LonePoint& p, const LonePoint& q) { return p.at == q.at; };
+  points.erase(std::unique(points.begin(), points.end(), same), points.end());
+}
+
+}  // namespace
+
+SettledObjects settle_objects(const Objects& objects, noding::SourceChanges& changes, Control& control,
+                              Statistics& statistics) {
+  SettledObjects settled;
+  const Operand polygons{objects.shapes.regions, false, FillRule::polygons(), objects.of_polygon};
+  Strands strands = collect({&polygons, 1}, resolve_by_pipeline(control), statistics.resolved_polygons);
+  strands.rules.sources = &changes;
+  for (std::size_t l = 0; l < objects.shapes.lines.size(); ++l)
+    add_line(objects.shapes.lines[l], objects.of_line[l], strands, settled.points);
+  for (std::size_t i = 0; i < objects.shapes.points.size(); ++i)
+    settled.points.push_back({clean(objects.shapes.points[i]), objects.of_point[i]});
+  sort_points(settled.points);
+  if (strands.size() == 0) return settled;
+  for (const LonePoint& point : settled.points) add_point(point, objects.count, strands);
+  noding::NodingReport report(false);
+  strands = node_strands(std::move(strands), report, resolve_by_pipeline(control), statistics.resolved_polygons);
+  settled.edges = edges_of(pieces_of(strands), objects.count, changes);
+  settled.polygons = polygons_of(std::move(strands));
+  return settled;
+}
+
+}  // namespace oblast::internal::zoning

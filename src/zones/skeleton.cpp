@@ -1,0 +1,190 @@
+#include "zones/skeleton.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/orientation.h"
+#include "plane/largest_ulp.h"
+#include "triangulation/constrain.h"
+#include "triangulation/delaunay.h"
+#include "zones/distance.h"
+
+namespace oblast::internal::zoning {
+namespace {
+
+using namespace triangulation;
+
+/// A contact whose radius would be below so many units is none: its vertex is a site of the lowest object there.
+constexpr double least_radius = 16;
+
+class Finder {
+ public:
+  Finder(const SettledObjects& settled, const Room& room) : settled_(settled), room_(room) {}
+
+  Skeleton run() {
+    triangulate();
+    cover_triangles();
+    find_free_edges();
+    find_contacts();
+    add_points();
+    return std::move(skeleton_);
+  }
+
+ private:
+  std::uint32_t vertex(std::size_t point) const { return mesh_.vertex_of[point]; }
+  std::uint32_t low(std::size_t edge) const { return vertex(2 * edge); }
+  std::uint32_t high(std::size_t edge) const { return vertex(2 * edge + 1); }
+
+  void triangulate() {
+    LargeArray<Point> points;
+    check_count(2 * settled_.edges.size() + settled_.points.size() + room_.ring.size(), "vertices of objects",
+                most_mesh_vertices);
+    points.reserve(2 * settled_.edges.size() + settled_.points.size() + room_.ring.size());
+    for (const SettledEdge& edge : settled_.edges) {
+      points.push_back(edge.low);
+      points.push_back(edge.high);
+    }
+    for (const LonePoint& point : settled_.points) points.push_back(point.at);
+    points.insert(points.end(), room_.ring.begin(), room_.ring.end());
+    mesh_ = delaunay(points);
+    Array<Constraint> constraints(settled_.edges.size());
+    for (std::size_t e = 0; e < constraints.size(); ++e) constraints[e] = {low(e), high(e)};
+    half_edges_ = constrain(mesh_, constraints);
+  }
+
+  /// By triangle: how many polygons cover it. Everything is reached from the outside, side by side.
+  void cover_triangles() {
+    Array<std::uint32_t> edge_of(4 * mesh_.triangles.size(), none);
+    for (std::uint32_t e = 0; e < half_edges_.size(); ++e)
+      edge_of[half_edges_[e]] = edge_of[mesh_.twin(half_edges_[e])] = e;
+    cover_.assign(mesh_.triangles.size(), unknown);
+    Array<std::uint32_t> waiting;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size() && waiting.empty(); ++t)
+      if (mesh_.triangles[t].is_ghost()) {
+        cover_[t] = 0;
+        waiting.push_back(t);
+      }
+    Steps steps(mesh_.triangles.size());
+    while (!waiting.empty()) {
+      steps();
+      const std::uint32_t t = waiting.back();
+      waiting.pop_back();
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const HalfEdge h = half_edge(t, i), g = mesh_.twin(h);
+        const std::uint32_t across = triangle_of(g), e = edge_of[h];
+        if (cover_[across] != unknown) continue;
+        std::int32_t change = 0;
+        if (e != none) change = half_edges_[e] == h ? -settled_.edges[e].cover : settled_.edges[e].cover;
+        cover_[across] = cover_[t] + change;
+        waiting.push_back(across);
+      }
+    }
+  }
+
+  void find_free_edges() {
+    owner_.assign(mesh_.points.size(), none);
+    contact_.assign(mesh_.points.size(), none);
+    on_edge_.assign(mesh_.points.size(), false);
+    for (std::uint32_t e = 0; e < settled_.edges.size(); ++e) {
+      const SettledEdge& edge = settled_.edges[e];
+      on_edge_[low(e)] = on_edge_[high(e)] = true;
+      const HalfEdge h = half_edges_[e];
+      if (cover_[triangle_of(h)] > 0 && cover_[triangle_of(mesh_.twin(h))] > 0) continue;
+      const std::uint32_t object = std::min(edge.outline_of, edge.line_of);
+      skeleton_.edges.push_back({edge.low, edge.high, object, none, none, low(e), high(e)});
+      if (object == edge.line_of) add_strip(h);
+      for (const std::uint32_t v : {low(e), high(e)}) {
+        if (owner_[v] != none && owner_[v] != object) contact_[v] = is_contact;
+        owner_[v] = std::min(owner_[v], object);
+      }
+    }
+  }
+
+  void add_strip(HalfEdge h) {
+    const auto edge = static_cast<std::uint32_t>(skeleton_.edges.size() - 1);
+    skeleton_.strips.push_back({edge, tip(h), tip(mesh_.twin(h))});
+  }
+
+  /// The tip of the strip on the left of the side: on the way from its middle to the opposite corner.
+  Point tip(HalfEdge h) const {
+    const Point none_here = skeleton_.edges.back().low;
+    const std::uint32_t t = triangle_of(h);
+    if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return none_here;
+    const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)], &c = mesh_.points[mesh_.apex(h)];
+    const Point middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
+    const double part = std::min(1.0 / 8, room_.tolerance / 16 / distance(middle, c));
+    const Point at{in_domain_near(middle.x + part * (c.x - middle.x)),
+                   in_domain_near(middle.y + part * (c.y - middle.y))};
+    const bool inside = exact::orientation(a, b, at) > 0 && exact::orientation(b, c, at) > 0 &&
+                        exact::orientation(c, a, at) > 0;
+    return inside ? at : none_here;
+  }
+
+  void find_contacts() {
+    Array<HalfEdge> leaving(mesh_.points.size(), none);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::uint32_t i = 0; i < 3; ++i)
+        if (const std::uint32_t v = mesh_.triangles[t].vertex[i]; v != infinite_vertex) leaving[v] = half_edge(t, i);
+    const auto contact_at = [&](std::uint32_t v) {
+      if (contact_[v] == none) return none;
+      if (contact_[v] == is_contact) contact_[v] = make_contact(v, leaving[v]);
+      return contact_[v];
+    };
+    for (FreeEdge& edge : skeleton_.edges) {
+      edge.low_contact = contact_at(edge.low_vertex);
+      edge.high_contact = contact_at(edge.high_vertex);
+    }
+    skeleton_.object_of_vertex = std::move(owner_);
+  }
+
+  /// None if it is too small.
+  std::uint32_t make_contact(std::uint32_t v, HalfEdge leaving) {
+    const Point at = mesh_.points[v];
+    double nearest = 2 * room_.tolerance;
+    HalfEdge h = leaving;
+    do {
+      const std::uint32_t p = mesh_.target(h), q = mesh_.apex(h);
+      if (p != infinite_vertex && q != infinite_vertex)
+        nearest = std::min(nearest, distance_from_segment(at, mesh_.points[p], mesh_.points[q]));
+      h = mesh_.clockwise(h);
+    } while (h != leaving);
+    const double radius = nearest > 0 ? std::ldexp(1.0, std::ilogb(nearest / 4)) : 0;
+    if (!(radius >= least_radius * ulp_of(std::max(std::fabs(at.x), std::fabs(at.y))))) return none;
+    skeleton_.contacts.push_back({at, radius});
+    return static_cast<std::uint32_t>(skeleton_.contacts.size() - 1);
+  }
+
+  void add_points() {
+    Array<bool> covered(mesh_.points.size(), false);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (cover_[t] > 0)
+        for (const std::uint32_t v : mesh_.triangles[t].vertex) covered[v] = true;
+    for (std::size_t i = 0; i < settled_.points.size(); ++i) {
+      const std::uint32_t v = vertex(2 * settled_.edges.size() + i);
+      if (!on_edge_[v] && !covered[v]) skeleton_.points.push_back(settled_.points[i]);
+    }
+  }
+
+  static constexpr std::int32_t unknown = -0x7fffffff;
+  static constexpr std::uint32_t is_contact = none - 1;
+
+  const SettledObjects& settled_;
+  const Room& room_;
+  Mesh mesh_;
+  Array<HalfEdge> half_edges_;                ///< by edge: from low to high
+  Array<std::int32_t> cover_;                 ///< by triangle
+  Array<std::uint32_t> owner_, contact_;      ///< by vertex
+  Array<bool> on_edge_;                       ///< by vertex
+  Skeleton skeleton_;
+};
+
+}  // namespace
+
+Skeleton find_skeleton(const SettledObjects& settled, const Room& room) {
+  if (!settled.edges.empty()) return Finder(settled, room).run();
+  Skeleton skeleton;
+  skeleton.points = settled.points;
+  return skeleton;
+}
+
+}  // namespace oblast::internal::zoning

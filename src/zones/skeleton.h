@@ -1,0 +1,54 @@
+// Step 2 of zones: which edges and points have places near them to give away, and whose they are.
+//
+// Within polygons all places are taken. So only edges matter that have a side which no polygon covers: the outline of
+// the union of all polygons, and lines outside of it. Each belongs to one object, the lowest that has it. A constrained
+// triangulation of all edges finds the sides that are covered, and how near the next thing is to each contact.
+//
+// A contact is a vertex where edges of different objects meet. No site stands there. Instead, one stands on each of its
+// edges at the same distance, the radius of the contact. Between two of them the border is the bisector of the edges,
+// and starts at the vertex:
+//
+//        |
+//        o   /          o: sites at the radius around the contact x. Every circle through three of them is centred at
+//        | /            x; so x is put in the place of all of these centres.
+//     ---x---o---
+#pragma once
+
+#include <cstdint>
+
+#include "zones/settled_edges.h"
+
+namespace oblast::internal::zoning {
+
+struct Contact {
+  Point at;
+  double radius;  ///< a power of two, at most half of epsilon, and a quarter of the distance to what does not meet here
+};
+
+/// An edge with a side that is not covered.
+struct FreeEdge {
+  Point low, high;
+  std::uint32_t object;
+  std::uint32_t low_contact, high_contact;  ///< none where its end is no contact
+  std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
+};
+
+/// A strip along a line: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the edge, in
+/// the part that is nearer to this edge than to their other sides, and is at most a sixteenth of epsilon wide. A side that
+/// is covered, or too narrow, has no strip: there the tip is the end `low`.
+struct Strip {
+  std::uint32_t edge;
+  Point left, right;
+};
+
+struct Skeleton {
+  LargeArray<FreeEdge> edges;
+  LargeArray<Strip> strips;  ///< of all edges that lie along a line of their object, in order
+  Array<std::uint32_t> object_of_vertex;  ///< the lowest that has an edge there
+  Array<Contact> contacts;
+  Array<LonePoint> points;  ///< those that no polygon covers and no edge ends at
+};
+
+Skeleton find_skeleton(const SettledObjects& settled, const Room& room);
+
+}  // namespace oblast::internal::zoning

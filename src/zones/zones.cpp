@@ -1,0 +1,201 @@
+// The public zones: objects are settled, their free edges sampled, and the cells of the samples laid under the objects.
+#include <oblast/zones.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/public_call.h"
+#include "base/stage_shares.h"
+#include "buffer/zone.h"
+#include "collect/collect.h"
+#include "features/keyed_overlay.h"
+#include "overlay/report.h"
+#include "regions/validate.h"
+#include "zones/cell_borders.h"
+#include "zones/sampling.h"
+#include "zones/settled_edges.h"
+
+namespace oblast {
+using namespace internal;
+using namespace internal::zoning;
+namespace {
+
+/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2, noding
+/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both.
+constexpr double rounding_units = 32;
+
+void check_zone_options(const ZoneOptions& options) {
+  const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
+  if (!(options.tolerance >= 0 && std::isfinite(options.tolerance)))
+    refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be 0 or more");
+  if (!(options.relative_tolerance >= 1e-12 && options.relative_tolerance <= 0.1))
+    refuse("relative_tolerance is " + std::to_string(options.relative_tolerance) + "; it must be from 1e-12 to 0.1");
+  if (!(options.distance > 0)) refuse("distance is " + std::to_string(options.distance) + "; it must be above 0");
+  if (std::isfinite(options.distance) && !in_domain(options.distance))
+    refuse("distance is " + std::to_string(options.distance) + ", which is not in the domain of coordinates");
+}
+
+void check_objects(const ShapeView& shapes, const RegionView& frame) {
+  validate(shapes.regions, 0);
+  validate(RegionView{shapes.lines.points, shapes.lines.line_ends, {}}, 1);
+  const std::uint32_t all_points[] = {checked_index(shapes.points.size(), "points in one call", most_vertices)};
+  validate(RegionView{shapes.points, std::span(all_points).first(shapes.points.empty() ? 0 : 1), {}}, 2);
+  validate(frame, 3);
+}
+
+class Zones {
+ public:
+  Zones(const Objects& objects, const RegionView& frame, const ZoneOptions& options, Control& control)
+      : objects_(objects),
+        frame_(frame),
+        options_(options),
+        control_(control),
+        room_(make_room(objects.shapes, frame, options)),
+        changes_(std::size_t{objects.count} + 2) {}
+
+  KeyedResult run(ZoneStatistics& statistics) {
+    statistics.tolerance = room_.tolerance;
+    statistics.rounding = rounding_units * room_.unit;
+    SettledObjects settled;
+    {
+      const InStage stage(Stage::collect, zone_objects_share, control_, statistics.overlay);
+      settled = settle_objects(objects_, changes_, control_, statistics.overlay);
+    }
+    noding::Strands strands;
+    {
+      const InStage stage(Stage::collect, zone_sampling_share, control_, statistics.overlay);
+      strands = cells(settled, statistics);
+      append(std::move(settled.polygons), strands);
+      strands.rules.sources = &changes_;
+    }
+    add_limits(strands, statistics.overlay);
+    Options options;
+    options.statistics = &statistics.overlay;
+    return keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options, control_,
+                            statistics.overlay);
+  }
+
+ private:
+  std::uint32_t frame_source() const { return objects_.count; }
+  std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 1 : no_feature; }
+
+  noding::Strands cells(const SettledObjects& settled, ZoneStatistics& statistics) {
+    const Skeleton skeleton = find_skeleton(settled, room_);
+    const Sampled sampled = sample(skeleton, room_);
+    statistics.sites = sampled.sites;
+    statistics.rounds = sampled.rounds;
+    statistics.error = sampled.error;
+    noding::Strands strands;
+    append_cell_borders(sampled.diagram, skeleton.contacts, changes_, strands);
+    if (append_strips(skeleton, sampled.narrow, strands))
+      statistics.error = std::max(statistics.error, room_.tolerance / 16);
+    return strands;
+  }
+
+  /// Lines that may pass through cells of other objects get strips along them, which count as their area: so they lie in
+  /// their zones exactly. True if there are some.
+  static bool append_strips(const Skeleton& skeleton, const Array<bool>& narrow, noding::Strands& strands) {
+    bool found = false;
+    for (const Strip& strip : skeleton.strips) {
+      const FreeEdge& edge = skeleton.edges[strip.edge];
+      if (!narrow[strip.edge] || (strip.left == edge.low && strip.right == edge.low)) continue;
+      strands.points.push_back(edge.low);
+      if (strip.right != edge.low) strands.points.push_back(strip.right);
+      strands.points.push_back(edge.high);
+      if (strip.left != edge.low) strands.points.push_back(strip.left);
+      strands.points.push_back(edge.low);
+      strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
+      found = true;
+    }
+    return found;
+  }
+
+  /// The frame, and how far zones reach.
+  void add_limits(noding::Strands& strands, Statistics& statistics) {
+    const std::uint32_t end = static_cast<std::uint32_t>(room_.box_frame.size());
+    add_region(room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end, 1}, {}}, frame_source(), strands,
+               statistics);
+    if (reach_source() == no_feature) return;
+    BufferOptions options;
+    options.mode = BufferMode::outside;
+    options.absolute_tolerance = room_.tolerance;
+    BufferStatistics buffered;
+    const PipelineResult reach =
+        buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
+    add_region(reach.regions, reach_source(), strands, statistics);
+  }
+
+  void add_region(const RegionView& region, std::uint32_t source, noding::Strands& strands, Statistics& statistics) {
+    const Array<std::uint32_t> sources(region.polygon_count(), source);
+    const Operand operand{region, false, FillRule::polygons(), sources};
+    append(collect({&operand, 1}, resolve_by_pipeline(control_), statistics.resolved_polygons), strands);
+  }
+
+  static void append(noding::Strands&& from, noding::Strands& to) {
+    const std::size_t before = to.points.size();
+    check_count(before + from.points.size(), "vertices of strands");
+    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+    for (std::size_t s = 0; s < from.size(); ++s) {
+      to.ends.push_back(static_cast<std::uint32_t>(before + from.ends[s]));
+      to.change.push_back(from.change[s]);
+      // Groups number the polygons of one operand, so only one of all that are appended may have some.
+      to.group.push_back(from.simplicity[s] == noding::Simplicity::assumed ? from.group[s] : noding::any_group);
+      to.simplicity.push_back(from.simplicity[s]);
+    }
+    from = {};
+  }
+
+  const Objects& objects_;
+  const RegionView& frame_;
+  const ZoneOptions& options_;
+  Control& control_;
+  const Room room_;
+  noding::SourceChanges changes_;
+};
+
+/// A row for each object.
+FeatureSet rows_of(KeyedResult result, std::uint32_t objects) {
+  FeatureSet rows{std::move(result.regions), {}, {}};
+  rows.feature_ends.reserve(objects);
+  rows.keys.reserve(objects);
+  std::uint32_t end = 0;
+  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
+    if (next < result.keys.size() && feature_key(result.keys[next]).a == i) end = result.feature_ends[next++];
+    rows.feature_ends.push_back(end);
+    rows.keys.push_back({i, no_feature});
+  }
+  return rows;
+}
+
+}  // namespace
+
+FeatureSet zones(const ShapeFeatures& features, const RegionView& frame, const ZoneOptions& options) {
+  check_zone_options(options);
+  const ShapeView& shapes = features.shapes;
+  const std::size_t drawn = shapes.regions.points.size() + shapes.lines.points.size();
+  const std::size_t given = drawn + shapes.points.size() + frame.points.size();
+  // Lines and outlines become many samples, so such a call is not a small one.
+  const std::size_t vertices = drawn > 0 ? given + tuning::small_call : given;
+  return public_call(options, options.statistics != nullptr, vertices, [&](Control& control) {
+    check_objects(shapes, frame);
+    const Objects objects = read_objects(features);
+    ZoneStatistics statistics;
+    FeatureSet rows;
+    if (given > frame.points.size()) {
+      KeyedResult result = Zones(objects, frame, options, control).run(statistics);
+      rows = rows_of(std::move(result), objects.count);
+    } else {
+      rows = rows_of({}, objects.count);
+    }
+    if (options.statistics) {
+      const RegionView lines{shapes.lines.points, shapes.lines.line_ends, {}};
+      const RegionView operands[] = {shapes.regions, lines, frame};
+      report(operands, rows.regions, statistics.overlay);
+      *options.statistics = statistics;
+    }
+    return rows;
+  });
+}
+
+}  // namespace oblast

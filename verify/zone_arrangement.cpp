@@ -1,0 +1,108 @@
+#include "verify/zone_arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/predicates.h"
+#include "verify/rows.h"
+
+namespace oblast::verify {
+namespace {
+
+bool is_double(const Rational& value) { return Rational(round_to_nearest(value)) == value; }
+
+bool cross(const Stroke& s, const Stroke& t) {
+  if (s.a == s.b || t.a == t.b) return false;
+  return side_of_line(s.a, s.b, t.a) * side_of_line(s.a, s.b, t.b) < 0 &&
+         side_of_line(t.a, t.b, s.a) * side_of_line(t.a, t.b, s.b) < 0;
+}
+
+/// Within `distance` of the edge, but not on it.
+bool is_beside(const Point& p, const Stroke& s, double distance) {
+  if (p == s.a || p == s.b || distance == 0 || has_inside(s, p)) return false;
+  return squared_distance(RationalPoint(p), s.a, s.b) <= Rational(distance) * Rational(distance);
+}
+
+}  // namespace
+
+bool has_inside(const Stroke& e, const Point& p) {
+  return e.a != e.b && p != e.a && p != e.b && e.box().meets(Box(p, p)) && side_of_line(e.a, e.b, p) == 0;
+}
+
+ZoneArrangement::ZoneArrangement(const JudgedZones& zones, double moved) {
+  collect(zones);
+  std::vector<Box> boxes;
+  for (const ZoneEdge& e : edges_) boxes.push_back(e.box());
+  tree_ = BoxTree(std::move(boxes));
+  find_moved(moved);
+}
+
+void ZoneArrangement::collect(const JudgedZones& zones) {
+  std::vector<Stroke> borders;
+  for (std::size_t r = 0; r < zones.rows.feature_count(); ++r)
+    for (const PolygonView polygon : regions_of(zones.rows, r).polygons()) {
+      std::vector<Stroke> edges = boundary_of(polygon);
+      borders.insert(borders.end(), edges.begin(), edges.end());
+      rows_.add(std::move(edges), zones.keys[r].a);
+    }
+  std::sort(borders.begin(), borders.end(), [](const Stroke& s, const Stroke& t) {
+    return s.a != t.a ? lexicographically_less(s.a, t.a) : lexicographically_less(s.b, t.b);
+  });
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  for (const Stroke& s : borders) edges_.push_back({s, ZoneEdge::row});
+  for (const PolygonView polygon : zones.frame.polygons()) {
+    std::vector<Stroke> edges = boundary_of(polygon);
+    for (const Stroke& s : edges) edges_.push_back({s, ZoneEdge::frame});
+    frame_.add(std::move(edges), 0);
+  }
+  for (const ZoneObjects::Edge& e : zones.objects.edges)
+    edges_.push_back({e, e.of_region ? ZoneEdge::region : ZoneEdge::line, e.object});
+  rows_.build();
+  frame_.build();
+}
+
+// Edges that cross at a place that is no double, and those that come near to another one without touching it there.
+void ZoneArrangement::find_moved(double moved) {
+  for (ZoneEdge& s : edges_) {
+    if (s.of == ZoneEdge::row) continue;
+    for_each_near(s, moved, [&](const ZoneEdge& t) {
+      if (s.may_move) return;
+      if (t.of == ZoneEdge::row) {
+        // The frame is cut by borders, at places beside it.
+        if (s.of == ZoneEdge::frame) s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved);
+      } else if (cross(s, t)) {
+        const auto at = intersection_of_segments(s.a, s.b, t.a, t.b);
+        s.may_move = !is_double(at->x) || !is_double(at->y);
+      } else {
+        s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved) || is_beside(s.a, t, moved) ||
+                     is_beside(s.b, t, moved);
+      }
+    });
+  }
+}
+
+std::vector<Location> ZoneArrangement::cuts_of(const ZoneEdge& s) const {
+  std::vector<Point> points{s.a, s.b};
+  std::vector<RationalPoint> crossings;
+  for_each_near(s, 0, [&](const ZoneEdge& t) {
+    if (s.of == ZoneEdge::row && t.of == ZoneEdge::row) return;
+    for (const Point& p : {t.a, t.b})
+      if (has_inside(s, p)) points.push_back(p);
+    if (cross(s, t)) crossings.push_back(*intersection_of_segments(s.a, s.b, t.a, t.b));
+  });
+  std::sort(points.begin(), points.end(), lexicographically_less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<Location> cuts;
+  if (crossings.empty()) {
+    for (const Point& p : points) cuts.emplace_back(p);
+    return cuts;
+  }
+  for (const Point& p : points) crossings.emplace_back(p);
+  std::sort(crossings.begin(), crossings.end(),
+            [](const RationalPoint& p, const RationalPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  for (const RationalPoint& p : crossings) cuts.emplace_back(p);
+  return cuts;
+}
+
+}  // namespace oblast::verify
