@@ -8,6 +8,7 @@
 #include "verify/predicates.h"
 #include "verify/slabs.h"
 #include "verify/sources.h"
+#include "verify/wrong_places.h"
 
 namespace oblast::verify {
 namespace {
@@ -121,38 +122,16 @@ class Comparison {
   const Options& options_;
 };
 
-double length_of(const std::vector<InputEdge>& edges) {
-  double length = 0;
-  for (const InputEdge& e : edges) length += std::abs(e.to.x - e.from.x) + std::abs(e.to.y - e.from.y);
-  return length;
-}
-
 std::optional<Fault> check_regions(const RegionView& a, const RegionView& b, Operation operation,
                                    const Options& options, const RegionView& result, const Sources& sources) {
-  std::optional<RationalPoint> wrong;
   const std::vector<Operand> operands{{a, options.fill_a}, {b, options.fill_b}, {result, FillRule::even_odd()}};
   const auto for_each_wrong = [&](const auto& visit) {
     for_each_trapezoid(operands, [&](const Trapezoid& t) {
       if (selects(operation, t.inside[0], t.inside[1]) != t.inside[2]) visit(t);
     });
   };
-  Estimate wrong_area = 0.0;
-  for_each_wrong([&](const Trapezoid& t) {
-    wrong_area = wrong_area + t.estimated_area();
-    if (!wrong && !sources.near_any(t)) wrong = t.centre();
-  });
-  if (wrong) {
-    const Point p{round_to_nearest(wrong->x), round_to_nearest(wrong->y)};
-    return Fault{"around " + to_text(p) + " the result is not what the operation says", {}};
-  }
-  const double most = 2 * length_of(sources.edges());
-  if (certainly_less(wrong_area, Estimate(sources.bound()) * Estimate(most))) return std::nullopt;
-  Rational exact_area = 0;
-  for_each_wrong([&](const Trapezoid& t) { exact_area += t.area(); });
-  if (exact_area > Rational(sources.bound()) * Rational(most)) {
-    return Fault{"the places where the result is wrong are larger than its edges may have moved", {}};
-  }
-  return std::nullopt;
+  return judge_wrong_places(for_each_wrong, sources, "the result is not what the operation says",
+                            "the places where the result is wrong are larger than its edges may have moved");
 }
 
 }  // namespace

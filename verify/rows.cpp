@@ -6,6 +6,7 @@
 #include "verify/planar.h"
 #include "verify/slabs.h"
 #include "verify/sources.h"
+#include "verify/wrong_places.h"
 
 namespace oblast::verify {
 namespace {
@@ -99,34 +100,24 @@ std::optional<Fault> check_rows_against(const FeatureView& a, const FeatureView&
   add(a, FillRule::polygons());
   add(b, FillRule::polygons());
   add(rows, FillRule::even_odd());
-  std::optional<RationalPoint> wrong;
-  Rational wrong_area = 0;
   const auto present = [](const std::vector<bool>& inside, std::size_t first, std::size_t count) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t f = 0; f < count; ++f)
       if (inside[first + f]) found.push_back(f);
     return found;
   };
-  for_each_trapezoid(operands, [&](const Trapezoid& t) {
-    const auto i = present(t.inside, 0, a.feature_count());
-    const auto j = present(t.inside, a.feature_count(), b.feature_count());
-    std::vector<FeatureKey> here;
-    for (const std::uint32_t row : present(t.inside, a.feature_count() + b.feature_count(), rows.feature_count()))
-      here.push_back(row_keys[row]);
-    if (here == keys(i, j)) return;
-    wrong_area += t.area();
-    if (!wrong && !sources.near_any(t)) wrong = t.centre();
-  });
-  if (wrong) {
-    const Point p{round_to_nearest(wrong->x), round_to_nearest(wrong->y)};
-    return Fault{"around " + to_text(p) + " the rows are not what their keys say", {}};
-  }
-  Rational length = 0;
-  for (const InputEdge& e : sources.edges())
-    length += Rational(std::abs(e.to.x - e.from.x)) + Rational(std::abs(e.to.y - e.from.y));
-  if (wrong_area > Rational(sources.bound()) * 2 * length)
-    return Fault{"the places where rows are wrong are larger than their edges may have moved", {}};
-  return std::nullopt;
+  const auto for_each_wrong = [&](const auto& visit) {
+    for_each_trapezoid(operands, [&](const Trapezoid& t) {
+      const auto i = present(t.inside, 0, a.feature_count());
+      const auto j = present(t.inside, a.feature_count(), b.feature_count());
+      std::vector<FeatureKey> here;
+      for (const std::uint32_t row : present(t.inside, a.feature_count() + b.feature_count(), rows.feature_count()))
+        here.push_back(row_keys[row]);
+      if (here != keys(i, j)) visit(t);
+    });
+  };
+  return judge_wrong_places(for_each_wrong, sources, "the rows are not what their keys say",
+                            "the places where rows are wrong are larger than their edges may have moved");
 }
 
 }  // namespace oblast::verify

@@ -1,4 +1,6 @@
 // `oblast check`: whether a file is what it is taken for. By default its features, on request more (see the footer).
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 
@@ -29,8 +31,8 @@ is no gap.
 The command counts all faults by kind and lists the first 20, each with its place and the
 feature, part, ring and vertex on both sides. Features have the numbers of the file. Parts
 and rings count from 1, vertices from 0. An edge has the number of a vertex at one of its
-ends. --faults writes all faults and notes as points, and --json prints them. All decisions
-are exact: there is no tolerance.
+ends. --faults writes all faults and notes as points, --svg draws them, and --json prints
+them. All decisions are exact: there is no tolerance.
 
 --regions takes the whole file as one region set, as `oblast union` writes it, and proves:
 edges meet only at common end points, polygons do not overlap, outer rings run
@@ -50,7 +52,7 @@ The exit code is 0 if there is no fault, and 1 if there is one.
 
 Examples
   oblast check parcels.gpkg
-  oblast check parcels.gpkg --coverage --faults faults.gpkg
+  oblast check parcels.gpkg --coverage --faults faults.gpkg --svg faults.png
   oblast check burnt.gpkg --regions && echo fit for any GIS
   oblast check communes_by_fire.gpkg --rows
   oblast check new.gpkg --against june.gpkg may.gpkg --op difference --points 1000000)";
@@ -69,9 +71,13 @@ int run(Arguments arguments, bool json) {
   const bool regions = arguments.as_regions || arguments.regions.canonical || against;
   if (arguments.features.coverage + arguments.as_rows + regions > 1)
     throw CallError("--coverage, --rows and --regions (also --canonical and --against) are different checks; name one");
-  if ((arguments.as_rows || regions) && !arguments.features.faults.empty())
+  if ((arguments.as_rows || regions) && !(arguments.features.faults.empty() && arguments.features.picture.empty()))
     throw CallError(
-        "--faults goes with the check of features or of a coverage; --rows and --regions stop at the first fault");
+        fmt::format("{} goes with the check of features or of a coverage; --rows and --regions stop at the "
+                    "first fault",
+                    arguments.features.faults.empty() ? "--svg" : "--faults"));
+  if (arguments.features.overwrite && arguments.features.faults.empty() && arguments.features.picture.empty())
+    throw CallError("--overwrite goes with --faults or --svg; without them no file is written");
   if (arguments.as_rows)
     return check_rows(arguments.features.input, arguments.regions.convention, arguments.features.quiet, json);
   arguments.regions.input = arguments.features.input;
@@ -92,12 +98,16 @@ void add_check(CLI::App& program, Invocation& invocation) {
   add_check_input(*command, arguments->features.input);
   command->add_flag("--coverage", arguments->features.coverage,
                     "also find overlaps, gaps and vertices that do not match between features");
-  CLI::Option* faults = command
-                            ->add_option("--faults", arguments->features.faults,
-                                         "write all faults as a point layer: .gpkg, .shp, .geojson, .fgb or .wkt")
-                            ->type_name("FILE");
-  command->add_flag("--overwrite", arguments->features.overwrite, "replace an existing file of that name")
-      ->needs(faults);
+  command
+      ->add_option("--faults", arguments->features.faults,
+                   "write all faults as a point layer: .gpkg, .shp, .geojson, .fgb or .wkt")
+      ->type_name("FILE");
+  command
+      ->add_option("--svg,--picture", arguments->features.picture,
+                   "draw the features and a dot at each fault, coloured by its kind: a name in .svg or .png")
+      ->type_name("PICTURE");
+  command->add_flag("--overwrite", arguments->features.overwrite,
+                    "with --faults or --svg: replace existing files of these names");
   command->add_flag("--regions", arguments->as_regions, "prove that the whole file is one valid region set");
   command->add_flag("--canonical", arguments->regions.canonical, "the same, and that its order is canonical");
   command->add_flag("--rows", arguments->as_rows, "prove that the features are rows of a result that fit together");

@@ -6,12 +6,16 @@
 
 #include <algorithm>
 
+#include "io/picture_file.h"
 #include "io/read.h"
 #include "io/rows.h"
 #include "io/write_points.h"
 #include "oblast/command.h"
 #include "oblast/console.h"
+#include "oblast/fault_picture.h"
 #include "oblast/fault_report.h"
+#include "oblast/interrupt.h"
+#include "oblast/job_picture.h"
 #include "oblast/no_polygons.h"
 
 namespace oblast::app {
@@ -55,9 +59,26 @@ std::vector<FeatureFault> find_faults(const io::Layer& layer, const FeatureView&
   return faults;
 }
 
+io::Existing existing(const LayerCheckArguments& arguments) {
+  return arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+}
+
+void check_outputs(const LayerCheckArguments& arguments) {
+  const std::string& file = arguments.input.file;
+  if (arguments.faults == file) throw CallError("--faults names the file that is checked; name another one");
+  if (arguments.picture == "-")
+    throw CallError("--svg - and the findings both go to standard output; give the picture a file");
+  if (!arguments.picture.empty() && (arguments.picture == arguments.faults || arguments.picture == file))
+    throw CallError("--svg names a file of this call already; name another one");
+  io::WriteOptions options;
+  options.existing = existing(arguments);
+  if (!arguments.faults.empty()) io::check_writable(arguments.faults, options);
+  if (!arguments.picture.empty()) io::check_picture_writable(arguments.picture, options.existing);
+}
+
 void write_faults(const FaultReport& report, const io::Layer& layer, const LayerCheckArguments& arguments) {
   io::WriteOptions options;
-  options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
+  options.existing = existing(arguments);
   options.crs_wkt = layer.crs_wkt;
   std::vector<Point> points;
   for (const FeatureFault& fault : report.faults()) points.push_back(fault.point);
@@ -68,15 +89,12 @@ void write_faults(const FaultReport& report, const io::Layer& layer, const Layer
 
 int check_layer(const LayerCheckArguments& arguments) {
   const std::string& path = arguments.input.file;
-  if (arguments.faults == path) throw CallError("--faults names the file that is checked; name another one");
-  io::WriteOptions write_options;
-  write_options.existing = arguments.overwrite ? io::Existing::overwrite : io::Existing::refuse;
-  if (!arguments.faults.empty()) io::check_writable(arguments.faults, write_options);
+  check_outputs(arguments);
   io::ReadOptions options;
   options.entries = io::FeatureEntries::all;
   options.vertices = io::RingVertices::all;
   options.threads = arguments.threads;
-  JobProgress progress(!arguments.quiet, false);
+  JobProgress progress(!arguments.quiet, !arguments.picture.empty());
   const io::Layer layer = read_to_check(arguments.input, options, progress);
   if (layer.regions.contour_ends.empty()) progress.clear();
   if (const auto code = say_no_polygons(path, layer, arguments.json)) return *code;
@@ -87,6 +105,11 @@ int check_layer(const LayerCheckArguments& arguments) {
     progress.show(Phase::writing, "writing", 0);
     write_faults(report, layer, arguments);
   }
+  if (!arguments.picture.empty()) {
+    if (!arguments.faults.empty()) stop_before_more_output();
+    progress.show(Phase::drawing, "drawing", 0);
+    draw_faults(layer, report.faults(), short_name({&path, 1}), arguments.picture, existing(arguments));
+  }
   progress.clear();
   if (arguments.json) {
     fmt::print(
@@ -96,6 +119,7 @@ int check_layer(const LayerCheckArguments& arguments) {
     fmt::print("{}", report.to_text(arguments.coverage));
     if (!arguments.faults.empty() && arguments.faults != "-")
       fmt::print("wrote {} to {}\n", counted(report.faults().size(), "point"), arguments.faults);
+    if (!arguments.picture.empty()) fmt::print("wrote the picture {}\n", arguments.picture);
   }
   return report.has_faults() ? exit_data : exit_done;
 }

@@ -10,7 +10,8 @@ namespace oblast::app {
 struct LayerCheckArguments {
   CheckInput input;
   bool coverage = false;
-  std::string faults;  ///< a point layer to write; empty: none
+  std::string faults;   ///< a point layer to write; empty: none
+  std::string picture;  ///< empty: none
   bool overwrite = false;
   int threads = 0;
   bool json = false;

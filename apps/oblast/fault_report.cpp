@@ -146,7 +146,7 @@ nlohmann::ordered_json FaultReport::to_json(const std::string& file, bool covera
   return object;
 }
 
-std::vector<io::PointColumn> FaultReport::columns() const {
+std::vector<io::PlaceColumn> FaultReport::columns() const {
   std::vector<std::string> kinds, files, other_files;
   std::vector<double> areas;
   std::vector<std::int64_t> numbers[8];
@@ -160,7 +160,7 @@ std::vector<io::PointColumn> FaultReport::columns() const {
     other_files.push_back(b.file);
   }
   constexpr const char* names[] = {"feature", "part", "ring", "vertex", "feature_2", "part_2", "ring_2", "vertex_2"};
-  std::vector<io::PointColumn> columns{{"kind", std::move(kinds)}};
+  std::vector<io::PlaceColumn> columns{{"kind", std::move(kinds)}};
   for (std::size_t i = 0; i < 8; ++i) columns.push_back({names[i], std::move(numbers[i])});
   columns.push_back({"area", std::move(areas)});
   if (layer_.files.size() > 1) {

@@ -25,7 +25,7 @@ class FaultReport {
   /// Counts by kind, and the first 20 faults that are no notes.
   std::string to_text(bool coverage) const;
   nlohmann::ordered_json to_json(const std::string& file, bool coverage) const;
-  std::vector<io::PointColumn> columns() const;
+  std::vector<io::PlaceColumn> columns() const;
 
  private:
   /// A place in the words of the file. Parts and rings count from 1, vertices from 0; -1: does not apply.

@@ -1,4 +1,5 @@
-// The random numbers of the fires generator. Unlike the std distributions, they are the same on every machine.
+// The random numbers of the generators of fires and roads. Unlike the std distributions, they are the same on every
+// machine.
 #pragma once
 
 #include <cstdint>

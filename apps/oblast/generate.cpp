@@ -8,6 +8,7 @@ void add_generate(CLI::App& program, Invocation& invocation) {
   generate->require_subcommand(1);
   generate->footer("`oblast help generate COMMAND` describes each.");
   add_generate_fires(*generate, invocation);
+  add_generate_roads(*generate, invocation);
   add_generate_star(*generate, invocation);
 }
 

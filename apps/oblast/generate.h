@@ -6,6 +6,7 @@
 namespace oblast::app {
 
 void add_generate_fires(CLI::App& generate, Invocation& invocation);
+void add_generate_roads(CLI::App& generate, Invocation& invocation);
 void add_generate_star(CLI::App& generate, Invocation& invocation);
 
 }  // namespace oblast::app

@@ -6,17 +6,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "io/crs.h"
-#include "io/picture.h"
 #include "io/picture_file.h"
 #include "io/read.h"
-#include "io/row_measures.h"
 #include "io/write.h"
 #include "oblast/call_options.h"
 #include "oblast/console.h"
 #include "oblast/interrupt.h"
+#include "oblast/job_picture.h"
 #include "oblast/names.h"
 #include "oblast/stopwatch.h"
 #include "oblast/summary.h"
@@ -67,15 +65,6 @@ RegionSet compute(const Job& job, const std::vector<io::Layer>& layers, Options 
   }
 }
 
-// "fires" for one path, "fires and 3 more" for several.
-std::string short_name(const std::vector<std::string>& paths) {
-  std::string path = paths.front();
-  while (path.size() > 1 && path.back() == '/') path.pop_back();
-  std::string text = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-  if (paths.size() > 1) text += fmt::format(" and {} more", paths.size() - 1);
-  return text;
-}
-
 }  // namespace
 
 void check_call(const std::vector<std::vector<std::string>>& operands, const JobArguments& arguments, bool json) {
@@ -93,31 +82,6 @@ void check_picture_call(const std::string& picture, const std::string& output, b
     throw CallError(
         fmt::format("--svg - and {} both write to standard output; give one of them a file", json ? "--json" : "-o -"));
   if (picture == output) throw CallError("--svg and -o name the same file; give them different names");
-}
-
-void draw(const JobPicture& job, const JobArguments& arguments) {
-  io::Picture picture;
-  const bool two = job.layers.size() > 1;
-  picture.a = job.layers[0]->regions;
-  picture.label_a = short_name(job.operands[0]);
-  if (two) {
-    picture.b = job.layers[1]->regions;
-    picture.label_b = short_name(job.operands[1]);
-  }
-  picture.result = job.result;
-  const std::string& crs = job.layers[0]->crs_wkt.empty() ? job.layers.back()->crs_wkt : job.layers[0]->crs_wkt;
-  // Coordinates beyond the poles are no longitudes and latitudes, whatever the file says; there is a warning then.
-  const bool in_degrees =
-      crs.rfind("GEOG", 0) == 0 && std::all_of(job.layers.begin(), job.layers.end(),
-                                               [](const io::Layer* layer) { return layer->report.beyond_pole == 0; });
-  if (in_degrees) picture.projection = io::MapProjection::longitude_latitude;
-  picture.label_result = job.operation;
-  picture.title = two ? fmt::format("{} of {} and {}", job.operation, picture.label_a, picture.label_b)
-                      : fmt::format("{} of {}", job.operation, picture.label_a);
-  picture.classes = job.classes;
-  const io::RowMeasures measures(crs);
-  if (!measures.geodesic()) picture.unit = measures.coordinate_unit();
-  io::write_picture(arguments.picture, io::to_svg(picture), write_options(arguments.output).existing);
 }
 
 void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
@@ -200,7 +164,7 @@ int run_job(const Job& job, const JobArguments& arguments, bool json) {
     const Stopwatch drawing;
     JobPicture picture{{}, job.operands, result, layers.size() > 1 ? name(job.operation) : "union", {}};
     for (const io::Layer& layer : layers) picture.layers.push_back(&layer);
-    draw(picture, arguments);
+    draw(picture, arguments.picture, writing_options.existing);
     summary.seconds_picture = drawing.seconds();
   }
   progress.clear();

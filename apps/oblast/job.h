@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "io/layer.h"
-#include "io/picture.h"
 #include "oblast/command.h"
 #include "oblast/inputs.h"
 #include "oblast/outputs.h"
@@ -44,16 +43,6 @@ void check_picture_call(const std::string& picture, const std::string& output, b
 /// What --svg does, for help.
 inline constexpr const char* picture_option =
     "also draw the operands and the result: a name in .svg or .png, or `-` for SVG on standard output";
-
-/// What a picture shows: the operands, one or two, the result, and its name ("difference").
-struct JobPicture {
-  std::vector<const io::Layer*> layers;
-  std::vector<std::vector<std::string>> operands;  ///< paths
-  RegionView result;
-  std::string operation;
-  std::vector<io::PictureClass> classes;  ///< if there are any, in place of the operands
-};
-void draw(const JobPicture& job, const JobArguments& arguments);
 
 /// The inputs and the operation of a job.
 struct Job {

@@ -12,8 +12,8 @@
 #include "io/row_measures.h"
 #include "io/write_rows.h"
 #include "oblast/interrupt.h"
+#include "oblast/job_picture.h"
 #include "oblast/names.h"
-#include "oblast/picture_shapes.h"
 #include "oblast/row_colour.h"
 
 namespace oblast::app {
@@ -146,11 +146,7 @@ void RowJob::check_colour(const ResultColumns& columns) const {
 
 void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, const RowPicture& picture) {
   JobPicture drawn{{}, paths_of(inputs_), rows.regions, picture.operation, {}};
-  std::deque<io::Layer> with_others;
-  for (const io::Rows& layer : layers_) {
-    const bool only_polygons = layer.layer.others.line_ends.empty() && layer.layer.others.points.empty();
-    drawn.layers.push_back(only_polygons ? &layer.layer : &with_others.emplace_back(drawable(layer.layer)));
-  }
+  for (const io::Rows& layer : layers_) drawn.layers.push_back(&layer.layer);
   const std::string& colour = row_arguments_.colour.empty() ? picture.colour : row_arguments_.colour;
   if (const io::OutputColumn* column = find_column(columns.columns, colour)) {
     drawn.classes = colour_classes(rows, *column);
@@ -161,7 +157,7 @@ void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, co
     drawn.result = {};
   }
   drawn.classes.insert(drawn.classes.end(), picture.over.begin(), picture.over.end());
-  draw(drawn, arguments_);
+  draw(drawn, arguments_.picture, write_options(arguments_.output).existing);
 }
 
 int RowJob::finish(const FeatureView& rows, ResultColumns columns, const RowPicture& picture) {

@@ -156,6 +156,14 @@ def test_drop_in(resolution: int) -> None:
     assert oblast.fallbacks() == {}
 
 
+def test_the_least_resolution_is_an_octagon() -> None:
+    point = geopandas.GeoSeries([POINT])
+    octagon, diamond = og.buffer(point, 1, 1), point.buffer(1, 1)
+    assert shapely.get_num_coordinates(octagon[0]) == 9 and shapely.get_num_coordinates(diamond[0]) == 5
+    assert octagon.contains(diamond.buffer(-1e-9))[0] and octagon.area[0] == pytest.approx(2 * 2**0.5)
+    assert og.buffer(point, 1, 1, cap_style="square").area[0] == pytest.approx(4)
+
+
 @pytest.mark.parametrize("join", ["round", "mitre", "bevel"])
 @pytest.mark.parametrize("cap", ["round", "flat", "square"])
 def test_drop_in_styles(join: str, cap: str) -> None:

@@ -48,6 +48,7 @@ class Zone {
   PipelineResult overlay(const RegionView& regions, const FillRule& fill, Statistics& statistics) {
     Options options;
     options.fill_a = fill;
+    if (options_.statistics) options.statistics = &statistics;  // else the pipeline measures nothing
     PipelineResult result = run_pipeline(regions, nullptr, {Operation::unite, options, control_}, statistics);
     report(std::span(&regions, 1), result.regions, statistics);
     return result;

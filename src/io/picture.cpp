@@ -24,6 +24,7 @@
 #include "io/picture_contours.h"
 #include "io/picture_frame.h"
 #include "io/picture_header.h"
+#include "io/picture_marks.h"
 #include "io/picture_text.h"
 
 namespace oblast::io {
@@ -41,6 +42,28 @@ struct Panels {
   double page_height = 0;
 };
 
+// What is drawn of the most vertices: where it is dense, it is enlarged.
+RegionView largest_part(const Picture& picture) {
+  RegionView largest = picture.result.points.empty() ? picture.a : picture.result;
+  if (!picture.classes.empty()) largest = picture.classes.front().regions;  // the operands are not drawn
+  for (const PictureClass& rows : picture.classes)
+    if (rows.regions.points.size() > largest.points.size()) largest = rows.regions;
+  if (picture.lines.vertices.size() > largest.points.size()) largest = {picture.lines.vertices, picture.lines.ends, {}};
+  return largest;
+}
+
+// The marks that stand out.
+std::vector<Point> largest_marks(const Picture& picture) {
+  double size = 0;
+  std::vector<Point> points;
+  for (const PictureMarks& marks : picture.marks) {
+    if (marks.size > size) points.clear();
+    size = std::max(size, marks.size);
+    if (marks.size == size) points.insert(points.end(), marks.points.begin(), marks.points.end());
+  }
+  return points;
+}
+
 // The panels for data of this extent. The enlarged panel is below wide data and beside tall data.
 Panels lay_out(const Picture& picture, const Window& window, double header) {
   double squeeze = 1;
@@ -52,10 +75,8 @@ Panels lay_out(const Picture& picture, const Window& window, double header) {
   const double aspect = std::clamp(window.height() > 0 ? window.width() * squeeze / window.height() : 1e3, 0.2, 6.0);
   const Window padded{window.x0 - window.width() * 0.02, window.y0 - window.height() * 0.02,
                       window.x1 + window.width() * 0.02, window.y1 + window.height() * 0.02};
-  RegionView dense = picture.result.points.empty() ? picture.a : picture.result;
-  if (!picture.classes.empty()) dense = picture.classes.front().regions;  // the operands are not drawn
-  for (const PictureClass& rows : picture.classes)
-    if (rows.regions.points.size() > dense.points.size()) dense = rows.regions;
+  const RegionView dense = largest_part(picture);
+  const std::vector<Point> marked = largest_marks(picture);
 
   Panels panels;
   const Box alone{margin_left, header, full, std::min(tallest_panel, full / aspect)};
@@ -67,7 +88,8 @@ Panels lay_out(const Picture& picture, const Window& window, double header) {
                    std::min(tallest_panel, std::max(half, half / aspect))};
   const Box below{margin_left, header + alone.height + gap, full, 560};
   const Box& zoom_box = wide ? below : beside;
-  const std::optional<Window> enlarged = densest_window(dense, panels.main, zoom_box);
+  const std::optional<Window> enlarged =
+      densest_window(dense, marked.empty() ? dense.points : std::span<const Point>(marked), panels.main, zoom_box);
   if (!enlarged) return panels;
   if (!wide) panels.main = fit(padded, squeeze, {margin_left, header, half, beside.height});
   panels.zoom = fit(*enlarged, squeeze, zoom_box);
@@ -122,6 +144,8 @@ DrawnPanel draw_panel(const Picture& picture, const Frame& frame, const std::str
     add(picture.b, 2, {colour_b, 0.25, colour_b, line / 2}, bytes_of_regions);
     add(picture.result, 2, {colour_result, 0.75, colour_result_edge, line}, bytes_of_regions);
   }
+  panel.text += draw_lines(picture.lines, frame, colour_of_lines, std::max(1.5 * line, 0.5));
+  for (const PictureMarks& marks : picture.marks) panel.text += draw_marks(marks, frame);
   panel.text += "</g>\n" + draw_axes(frame) + draw_scale_bar(frame, picture.projection, picture.unit);
   return panel;
 }
@@ -163,6 +187,8 @@ std::string draw_note(const DrawnPanel& panel, double page_height) {
 std::string to_svg(const Picture& picture) {
   std::vector<RegionView> views{picture.a, picture.b, picture.result};
   for (const PictureClass& rows : picture.classes) views.push_back(rows.regions);
+  views.push_back({picture.lines.vertices, {}, {}});
+  for (const PictureMarks& marks : picture.marks) views.push_back({marks.points, {}, {}});
   const Window window = extent(views).value_or(Window{0, 0, 1, 1});
   const PictureHeader header = draw_header(picture);
   const Panels panels = lay_out(picture, window, header.height);

@@ -29,7 +29,8 @@ void check_format(const std::string& path) {
                   (extension.empty() ? "its name has no extension" : extension + " is not a format of pictures") +
                   "; choose a name that ends in .svg or .png");
   if (!can_draw_png())
-    throw IoError("cannot draw " + path + ": this program was built without librsvg, so it writes no PNG; choose .svg");
+    throw IoError("cannot draw " + path +
+                  ": librsvg, which draws PNG, is not there; install it (package librsvg2-2), or choose .svg");
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ double median_edge(const RegionView& view, const Frame& frame) {
   return *middle;
 }
 
-// The middle of the 2 x 2 block of cells with the most vertices; of several, the one with the smallest column and row.
-Point densest_place(const RegionView& view, const Window& window, double cell_width, double cell_height) {
+// The middle of the 2 x 2 block of cells with the most places; of several, the one with the smallest column and row.
+Point densest_place(std::span<const Point> places, const Window& window, double cell_width, double cell_height) {
   const auto key = [](std::int64_t column, std::int64_t row) { return (column << 32) | row; };
   std::unordered_map<std::int64_t, std::uint32_t> counts;
-  for (const Point& p : view.points) {
+  for (const Point& p : places) {
     ++counts[key(static_cast<std::int64_t>((p.x - window.x0) / cell_width),
                  static_cast<std::int64_t>((p.y - window.y0) / cell_height))];
   }
@@ -86,13 +86,14 @@ Frame fit(const Window& window, double squeeze, const Box& box) {
   return frame;
 }
 
-std::optional<Window> densest_window(const RegionView& view, const Frame& main, const Box& box) {
+std::optional<Window> densest_window(const RegionView& view, std::span<const Point> places, const Frame& main,
+                                     const Box& box) {
   const double edge = median_edge(view, main);
-  if (edge >= visible_edge || view.points.empty()) return std::nullopt;
+  if (edge >= visible_edge || places.empty()) return std::nullopt;
   const double zoom = std::min(enlarged_edge / std::max(edge, 1e-12), largest_zoom);
   const double width = box.width / (main.x_scale * zoom), height = box.height / (main.y_scale * zoom);
   if (!(width > 0) || !(height > 0) || !std::isfinite(zoom)) return std::nullopt;
-  const Point middle = densest_place(view, main.window, width / 2, height / 2);
+  const Point middle = densest_place(places, main.window, width / 2, height / 2);
   return Window{middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2};
 }
 

@@ -38,8 +38,9 @@ std::optional<Window> extent(std::span<const RegionView> views);
 /// is the drawn length of a unit of x, in units of y (1, or the cosine of the latitude).
 Frame fit(const Window& window, double squeeze, const Box& box);
 
-/// A window to be enlarged: where the vertices of `view` are densest, at a scale at which its edges are visible.
-/// Nothing if they are visible in `main`. `box` is the panel that the window fills.
-std::optional<Window> densest_window(const RegionView& view, const Frame& main, const Box& box);
+/// A window to be enlarged: where `places` are densest, at a scale at which the edges of `view` are visible. Nothing if
+/// they are visible in `main`. `box` is the panel that the window fills.
+std::optional<Window> densest_window(const RegionView& view, std::span<const Point> places, const Frame& main,
+                                     const Box& box);
 
 }  // namespace oblast::io

@@ -14,9 +14,12 @@ namespace {
 constexpr double title_size = 20, legend_size = 13, title_line = 25, legend_line = 21, swatch = 26, between = 26;
 constexpr double room = page_width - margin_left - margin_right;
 
+enum class Shape { area, line, dot };
+
 struct Entry {
-  std::string swatch;  // attributes of the rectangle
+  std::string swatch;  // attributes of the shape
   std::string text;
+  Shape shape = Shape::area;
 };
 
 Entry entry_of(const std::string& label, const RegionView& view, std::string swatch_style) {
@@ -26,22 +29,47 @@ Entry entry_of(const std::string& label, const RegionView& view, std::string swa
   return {std::move(swatch_style), name + counts};
 }
 
-std::vector<Entry> entries_of(const Picture& picture) {
-  std::vector<Entry> entries;
+Entry entry_of_lines(const Picture& picture) {
+  const std::string counts = fmt::format(": {}, {}", counted_in_picture(picture.lines.ends.size(), "line", "lines"),
+                                         counted_in_picture(picture.lines.vertices.size(), "vertex", "vertices"));
+  return {fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour_of_lines),
+          fitted(readable(picture.label_a), legend_size, room / 2) + counts, Shape::line};
+}
+
+void add_regions(const Picture& picture, std::vector<Entry>& entries) {
   if (!picture.classes.empty()) {
     for (const PictureClass& rows : picture.classes)
       entries.push_back({fmt::format("fill=\"{}\"", rows.colour), readable(rows.label)});
-    return entries;
+    return;
   }
   const auto operand = [](const char* colour) {
     return fmt::format("fill=\"{0}\" fill-opacity=\"0.25\" stroke=\"{0}\"", colour);
   };
-  entries.push_back(entry_of(picture.label_a, picture.a, operand(colour_a)));
+  const bool only_others = picture.a.points.empty() && (!picture.lines.ends.empty() || !picture.marks.empty());
+  if (!only_others) entries.push_back(entry_of(picture.label_a, picture.a, operand(colour_a)));
   if (!picture.b.points.empty()) entries.push_back(entry_of(picture.label_b, picture.b, operand(colour_b)));
+  if (picture.label_result.empty()) return;
   entries.push_back(
       entry_of(picture.label_result, picture.result,
                fmt::format("fill=\"{}\" fill-opacity=\"0.75\" stroke=\"{}\"", colour_result, colour_result_edge)));
+}
+
+std::vector<Entry> entries_of(const Picture& picture) {
+  std::vector<Entry> entries;
+  add_regions(picture, entries);
+  if (!picture.lines.ends.empty()) entries.push_back(entry_of_lines(picture));
+  for (const PictureMarks& marks : picture.marks)
+    entries.push_back({fmt::format("fill=\"{}\"", marks.colour), readable(marks.label), Shape::dot});
   return entries;
+}
+
+std::string draw_swatch(const Entry& entry, double x, double y) {
+  if (entry.shape == Shape::dot)
+    return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" {}/>", x + 9, y - 4.5, entry.swatch);
+  if (entry.shape == Shape::line)
+    return fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{1:.1f}\" {3}/>", x, y - 4.5, x + 18,
+                       entry.swatch);
+  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"18\" height=\"13\" {}/>", x, y - 11, entry.swatch);
 }
 
 }  // namespace
@@ -63,9 +91,8 @@ PictureHeader draw_header(const Picture& picture) {
       x = margin_left;
       y += legend_line;
     }
-    header.text += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"18\" height=\"13\" {}/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x,
-        y - 11, entry.swatch, x + swatch, y, escaped(text));
+    header.text += draw_swatch(entry, x, y) +
+                   fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + swatch, y, escaped(text));
     x += width + between;
   }
   header.text += "</g>\n";

@@ -111,6 +111,20 @@ TEST_F(Buffer, JoinsCapsAndSides) {
   EXPECT_TRUE(contains(run(box, {"--distance", "2", "--side", "left"}).err, "--side is for lines"));
 }
 
+TEST_F(Buffer, APictureShowsLinesAndPointsOverTheZone) {
+  const std::string shapes = "LINESTRING (0 0, 50 0, 100 40)\nPOINT (20 30)\nPOINT (25 30)\n";
+  const ProgramRun done = run(shapes, {"--distance", "5", "--svg", folder_.path("p.svg")});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const std::string svg = read_file(folder_ / "p.svg");
+  EXPECT_TRUE(contains(svg, "standard input: 1 line, 3 vertices</text>")) << svg;
+  EXPECT_TRUE(contains(svg, "standard input: 2 points</text>")) << svg;
+  const auto zone = svg.find("<g fill=\"#0f9d76\"", svg.find("<g clip-path"));
+  const auto lines = svg.find("fill=\"none\" stroke=\"#1b4f77\"", zone), points = svg.find("h0M", lines);
+  EXPECT_NE(zone, std::string::npos);
+  EXPECT_NE(lines, std::string::npos);
+  EXPECT_NE(points, std::string::npos);
+}
+
 TEST_F(Buffer, ModesBoundTheAreaFromBothSides) {
   const double disc = pi * 100;
   const Words usual{"--distance", "10", "--tolerance", "5%"};

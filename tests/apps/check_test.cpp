@@ -147,6 +147,31 @@ TEST(CheckFeatures, WritesFaultsAsPoints) {
   EXPECT_TRUE(features[1]["properties"]["feature_2"].is_null());
 }
 
+TEST(CheckFeatures, DrawsFaultsAtTheirPlaces) {
+  const Folder folder;
+  write_file(folder / "in.wkt", "POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))\nPOLYGON ((9 9, 9 9, 10 10, 9 10, 9 9))");
+  const Words call{"check", folder.path("in.wkt"), "--svg", folder.path("p.svg")};
+  const ProgramRun run = oblast_program(call);
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_TRUE(contains(run.out, "wrote the picture " + folder.path("p.svg"))) << run.out;
+  const std::string svg = read_file(folder / "p.svg");
+  EXPECT_TRUE(contains(svg, ">1 fault in in.wkt</text>")) << svg;
+  EXPECT_TRUE(contains(svg, "ring crosses itself: 1</text>") && contains(svg, "repeated vertex: 1 (note)</text>"));
+  // The fault is a tenth of the way from the lower left corner of the data to the upper right one, the note nine
+  // tenths.
+  const auto place = [&](const std::string& colour) {
+    const auto end = svg.find("h0\" stroke=\"" + colour), begin = svg.rfind("\"M", end) + 2;
+    return std::stod(svg.substr(begin, end - begin));
+  };
+  const double fault = place("#d55e00"), note = place("#888888");
+  EXPECT_LT(fault, note);
+  EXPECT_EQ(oblast_program(call).code, 1) << "must not replace";
+  EXPECT_TRUE(contains(oblast_program(call).err, "exists already"));
+  Words again = call;
+  again.push_back("--overwrite");
+  EXPECT_TRUE(contains(oblast_program(again).out, "wrote the picture"));
+}
+
 TEST(CheckFeatures, LinesAreNotPolygons) {
   for (const Words& more : {Words{}, Words{"--coverage"}, Words{"--regions"}, Words{"--rows"}}) {
     Words words{"check", "-"};
@@ -191,6 +216,9 @@ TEST(CheckFeatures, OptionsThatDoNotGoTogether) {
   EXPECT_EQ(oblast_program({"check", "-", "--regions", "--coverage"}, square).code, 2);
   EXPECT_EQ(oblast_program({"check", "-", "--regions", "--faults", "x.wkt"}, square).code, 2);
   EXPECT_EQ(oblast_program({"check", "-", "--overwrite"}, square).code, 2);
+  EXPECT_EQ(oblast_program({"check", "-", "--rows", "--svg", "x.svg"}, square).code, 2);
+  EXPECT_EQ(oblast_program({"check", "-", "--svg", "-"}, square).code, 2);
+  EXPECT_EQ(oblast_program({"check", "-", "--svg", "x.svg", "--faults", "x.svg"}, square).code, 2);
 }
 
 TEST(Check, TakesTheOptionsOfInputOfTheOtherCommands) {

@@ -48,7 +48,7 @@ TEST_F(PictureOption, TheExtensionDecidesTheFormat) {
     EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n"));
     EXPECT_TRUE(contains(png.substr(png.size() - 12), "IEND"));
   } else {
-    EXPECT_TRUE(contains(run("a.wkt", "p.png").err, "built without librsvg"));
+    EXPECT_TRUE(contains(run("a.wkt", "p.png").err, "install it (package librsvg2-2), or choose .svg"));
   }
   for (const char* const name : {"p.jpeg", "p"}) {
     const ProgramRun refused = run("a.wkt", name);

@@ -77,6 +77,21 @@ TEST(Buffer, SidesOfALine) {
   EXPECT_DOUBLE_EQ(area(zone("LINESTRING (0 0, 10 0, 10 10, 0 10, 0 0)", 1, options)), 36);
 }
 
+// Two strips of width 2 cross: their sides meet in the corners of a square.
+TEST(Buffer, StatisticsCountIntersections) {
+  BufferStatistics statistics;
+  BufferOptions options;
+  options.cap = Cap::flat;
+  const RegionSet without = zone("MULTILINESTRING ((0 0, 10 0), (5 -5, 5 5))", 1, options);
+  options.statistics = &statistics;
+  EXPECT_EQ(zone("MULTILINESTRING ((0 0, 10 0), (5 -5, 5 5))", 1, options), without);
+  EXPECT_EQ(statistics.overlay.intersections, 4);
+  EXPECT_GE(statistics.overlay.rounds, 1);
+  EXPECT_EQ(statistics.overlay.output_vertices, without.points.size());
+  zone("LINESTRING (0 0, 10 0)", 1, options);
+  EXPECT_EQ(statistics.overlay.intersections, 0);
+}
+
 TEST(Buffer, PointsByTheirCaps) {
   BufferOptions options = fine();
   EXPECT_NEAR(area(zone("MULTIPOINT (0 0, 10 0, 10 0)", 1, options)), 2 * pi, 1e-4);

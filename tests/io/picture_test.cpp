@@ -11,6 +11,8 @@
 
 #include "io/layer.h"
 #include "io/picture_file.h"
+#include "io/picture_header.h"
+#include "io/picture_marks.h"
 
 namespace oblast::io {
 namespace {
@@ -63,6 +65,73 @@ TEST(Picture, ShowsOperandsResultAndLegend) {
   EXPECT_NE(svg.find("second: "), std::string::npos);
   EXPECT_NE(svg.find("intersection: "), std::string::npos);
   EXPECT_EQ(count(svg, "clipPath id="), 1u);  // nothing needs enlarging
+}
+
+TEST(Picture, LinesAndMarksLieOverTheRegions) {
+  const RegionSet result = square(0, 0, 10);
+  const std::vector<Point> vertices{{0, 0}, {10, 10}, {5, 0}, {5, 10}, {5, 20}};
+  const std::vector<std::uint32_t> ends{2, 5};
+  Picture picture;
+  picture.result = result;
+  picture.label_a = "roads";
+  picture.lines = {vertices, ends};
+  picture.marks = {{{{1, 1}, {2, 30}}, "#d55e00", "stops <2>"}, {{}, "#000000", "none"}};
+  const std::string svg = to_svg(picture);
+  EXPECT_TRUE(well_formed(svg));
+  EXPECT_EQ(count(svg, "roads: 2 lines, 5 vertices"), 1u);
+  EXPECT_EQ(count(svg, "stops &lt;2&gt;"), 1u);
+  EXPECT_EQ(count(svg, "A: 0 contours"), 0u);  // there are no regions of the operand
+  const auto fill = svg.find(colour_result, svg.find("clip-path")),
+             line = svg.find("stroke=\"#1b4f77\" stroke-width=\"15\"");
+  const auto mark = svg.find("stroke=\"#d55e00\"");
+  EXPECT_NE(fill, std::string::npos);
+  EXPECT_LT(fill, line);
+  EXPECT_LT(line, mark);
+  EXPECT_NE(mark, std::string::npos);
+  const auto dots = svg.rfind("d=\"M", mark);
+  EXPECT_EQ(count(svg.substr(dots, mark - dots), "h0"), 2u);  // the upper mark makes the picture higher
+}
+
+// The first line is drawn to the sides of the panel only.
+TEST(Picture, LinesBeyondThePanelAreCut) {
+  const std::vector<Point> vertices{{-1e9, 5}, {1e9, 5}};
+  const std::vector<std::uint32_t> ends{2};
+  const Frame frame = fit({0, 0, 10, 10}, 1, {100, 50, 200, 200});
+  const std::string path = draw_lines({vertices, ends}, frame, "#000", 1);
+  EXPECT_TRUE(path.starts_with("<path d=\"M950 1500L3050 1500\"")) << path;
+  const std::vector<Point> outside{{-5, 20}, {20, 21}};
+  EXPECT_EQ(draw_lines({outside, ends}, frame, "#000", 1), "");
+}
+
+TEST(Picture, ManyLinesAndMarksMakeASmallPicture) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(0, 1000);
+  std::vector<Point> points;
+  std::vector<std::uint32_t> ends;
+  for (int i = 0; i < 400'000; ++i) {
+    points.push_back({anywhere(random), anywhere(random)});
+    if (i % 2) ends.push_back(static_cast<std::uint32_t>(points.size()));
+  }
+  Picture picture;
+  picture.lines = {points, ends};
+  picture.marks = {{points, "#d55e00", "many"}};
+  EXPECT_LT(to_svg(picture).size(), 12'000'000u);
+}
+
+// A million vertices on the left, three marks on the right: these are enlarged.
+TEST(Picture, TheMarksAreEnlarged) {
+  RegionSet a;
+  for (int i = 0; i < 2000; ++i) append(a, square(i % 50 * 1e-3, i / 50 * 1e-3, 5e-4));
+  append(a, square(100, 0, 1e-3));
+  Picture picture;
+  picture.a = a;
+  picture.marks = {{{{100, 0}, {100, 5e-4}, {100, 1e-3}}, "#d55e00", "faults", 7}, {a.points, "#888", "notes", 4}};
+  const std::string svg = to_svg(picture);
+  const auto zoom = svg.find("clipPath id=\"zoom\"");
+  ASSERT_NE(zoom, std::string::npos);
+  const auto marks = svg.find("stroke=\"#d55e00\"", zoom);
+  ASSERT_NE(marks, std::string::npos);
+  EXPECT_GE(count(svg.substr(zoom, marks - zoom), "h0"), 2u);
 }
 
 TEST(Picture, OfNothingIsStillAPicture) {

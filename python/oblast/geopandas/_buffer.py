@@ -48,7 +48,9 @@ def buffer(
         nothing.
     resolution : int
         Segments of a quarter circle (also ``quad_segs``). The outline is nowhere beyond the distance, and at least as
-        near to it as so many segments would be: the tolerance is 1 - cos(pi / (4 resolution)).
+        near to it as so many segments would be: the tolerance is 1 - cos(pi / (4 resolution)). Directions are 8, 16, 32
+        and so on, so there may be more segments than asked for: ``resolution=1`` makes an octagon of a point, where
+        geopandas makes a square that stands on its corner. For a square of twice the distance: ``cap_style="square"``.
     cap_style : {"round", "flat", "square"}
     join_style : {"round", "mitre", "bevel"}
     mitre_limit : float
