@@ -2,8 +2,9 @@
 // which objects and rows are there.
 //
 // Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
-// edges in its place, where labels are wrong. A fault is excused if it is beside an edge that may have moved, and if a
-// small step away from the piece labels are right again.
+// edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone. A
+// fault is excused if it is beside an edge that may have moved, and if a small step away from the piece, or from that
+// edge, labels are right again. A line or a point that moved is excused in a row of another object that is as near.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -55,7 +56,8 @@ class CoverCheck {
         return fail(what, middle.rounded());
     }
     if (s.of == ZoneEdge::line && !is_in_own_row(s, middle)) {
-      if (s.may_move && is_near_row(s.object, from) && is_near_row(s.object, to))
+      const std::vector<std::uint32_t> holders = holders_of_line(s, middle);
+      if (s.may_move && is_near_row(holders, from) && is_near_row(holders, middle) && is_near_row(holders, to))
         ++measures_.excused;
       else
         fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
@@ -84,19 +86,25 @@ class CoverCheck {
     const bool on_horizontal = s.a.y == s.b.y;
     const auto frame = all_.frame().beside(p, on_horizontal), rows = all_.rows().beside(p, on_horizontal);
     if (frame.first.empty() && frame.second.empty()) return true;
+    const std::vector<std::uint32_t> holders = holders_of_line(s, p);
+    return holds_any(rows.first, holders) || holds_any(rows.second, holders);
+  }
+
+  /// The objects that may have a place of a line: regions that it is in, or on the outline of, and the lowest line there.
+  std::vector<std::uint32_t> holders_of_line(const ZoneEdge& s, const Location& p) const {
+    const bool on_horizontal = s.a.y == s.b.y;
     std::vector<std::uint32_t> holders;
     const auto regions = zones_.objects.regions.beside(p, on_horizontal);
     holders.insert(holders.end(), regions.first.begin(), regions.first.end());
     holders.insert(holders.end(), regions.second.begin(), regions.second.end());
-    if (holders.empty()) {  // the lowest of the lines
-      holders.push_back(s.object);
-      all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
-        if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
-            side_of_line(t.a, t.b, s.b) == 0 && t.box().meets(p.box()))
-          holders[0] = std::min(holders[0], t.object);
-      });
-    }
-    return holds_any(rows.first, holders) || holds_any(rows.second, holders);
+    std::uint32_t lowest = s.object;
+    all_.for_each_near(s, 0, [&](const ZoneEdge& t) {
+      if (t.of == ZoneEdge::line && t.a != t.b && side_of_line(t.a, t.b, s.a) == 0 &&
+          side_of_line(t.a, t.b, s.b) == 0 && t.box().meets(p.box()))
+        lowest = std::min(lowest, t.object);
+    });
+    holders.push_back(lowest);
+    return holders;
   }
 
   static bool holds_any(const std::vector<std::uint32_t>& ascending, const std::vector<std::uint32_t>& wanted) {
@@ -110,7 +118,7 @@ class CoverCheck {
     if (all_.frame().closed_at(s.a).empty()) return;
     const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
     if (holds_any(rows, holders_of(s))) return;
-    if (s.may_move && is_near_row(s.object, Location(s.a)))
+    if (s.may_move && is_near_row(holders_of(s), Location(s.a)))
       ++measures_.excused;
     else
       fail("a point of object " + std::to_string(s.object) + " is in row " + text(rows), s.a);
@@ -132,13 +140,21 @@ class CoverCheck {
     return holders;
   }
 
-  bool is_near_row(std::uint32_t object, const Location& p) const {
+  /// Whether the place is in the row of a holder or of an object that is as near as edges may have moved, or so near to
+  /// one; or as near to where the frame may have moved.
+  bool is_near_row(std::vector<std::uint32_t> holders, const Location& p) const {
+    const ZoneEdge here{{p.rounded(), p.rounded()}, ZoneEdge::line};
     bool found = false;
-    all_.for_each_near({{p.rounded(), p.rounded()}, ZoneEdge::line}, bounds_.moved, [&](const ZoneEdge& t) {
+    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
+      if (t.of == ZoneEdge::row || !is_near(p, t)) return;
+      if (t.of == ZoneEdge::frame) found |= t.may_move;
+      if (t.object != no_feature) holders.push_back(t.object);
+    });
+    found = found || holds_any(all_.rows().closed_at(p.rounded()), holders);
+    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
       if (found || t.of != ZoneEdge::row || !is_near(p, t)) return;
       const auto sides = all_.rows().beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
-      found = std::binary_search(sides.first.begin(), sides.first.end(), object) ||
-              std::binary_search(sides.second.begin(), sides.second.end(), object);
+      found = holds_any(sides.first, holders) || holds_any(sides.second, holders);
     });
     return found;
   }
@@ -151,20 +167,24 @@ class CoverCheck {
   /// other.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0 || (s.of != ZoneEdge::row && !s.may_move)) return false;
+    std::vector<Stroke> beside{s};
     for (const Location* p : {&from, &middle, &to}) {
       bool found = false;
       all_.for_each_near({{p->rounded(), p->rounded()}, ZoneEdge::line}, 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (found || &t == &s || (s.of == ZoneEdge::row ? t.of == ZoneEdge::row || !t.may_move : t.of != ZoneEdge::row))
-          return;
-        if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
+        if (found || &t == &s || t.a == t.b) return;
+        // In place of the edge there are edges of rows, or nothing where another edge of the same area is beside it.
+        const bool matters = s.of == ZoneEdge::row ? t.of != ZoneEdge::row && t.may_move
+                                                   : t.of == ZoneEdge::row || (t.of == s.of && t.object == s.object);
+        if (!matters || (p == &middle && s.of != ZoneEdge::row && side_of_line(t.a, t.b, *p) == 0)) return;
         found = is_near(*p, t);
+        if (found && p == &middle) beside.push_back(t);
       });
       if (!found) return false;
     }
-    return is_right_away_from(s, middle);
+    return std::any_of(beside.begin(), beside.end(), [&](const Stroke& t) { return is_right_away_from(t, middle); });
   }
 
-  bool is_right_away_from(const ZoneEdge& s, const Location& middle) const {
+  bool is_right_away_from(const Stroke& s, const Location& middle) const {
     const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, length = std::sqrt(dx * dx + dy * dy);
     bool right[2] = {};
     for (const double steps : {1.5, 3.0, 6.0, 12.0})

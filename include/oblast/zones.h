@@ -20,7 +20,7 @@ namespace oblast {
 struct ZoneStatistics {
   std::uint64_t sites = 0;   ///< points that stand for the objects: the points, and samples of lines and outlines
   std::uint64_t rounds = 0;  ///< of sampling; 1 for points alone
-  double tolerance = 0;      ///< epsilon as it was asked for, in units of the coordinates
+  double tolerance = 0;      ///< epsilon as it was asked for, or 2 C if that is more, in units of the coordinates
   double error = 0;          ///< the epsilon that was needed: proved by the samples; 0 for points alone
   double rounding = 0;       ///< C, in units of the coordinates; zones are exact up to `error` + C
   Statistics overlay;        ///< of the arrangement of objects, borders and frame

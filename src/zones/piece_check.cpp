@@ -21,13 +21,14 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
     return 0;
   }
   depth_ = radius_ = 0;
+  relaxed_.clear();
   narrow_ = diagram_.object[first] != object || diagram_.object[last] != object;
   begin_flood();
-  HalfEdge h = leaving_[first];
+  HalfEdge h = ends_.leaving[first];
   do {
     reach(triangulation::triangle_of(h));
     h = mesh.clockwise(h);
-  } while (h != leaving_[first]);
+  } while (h != ends_.leaving[first]);
   Steps steps;
   // Once the piece is known to be too long, a few more circles tell about how much.
   for (std::size_t looked = 0; !waiting_.empty() && (radius_ == 0 || looked < 64); ++looked) {
@@ -45,6 +46,7 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
   }
   if (radius_ == 0) {
     error_ = std::max(error_, depth_);
+    for (const Relaxed& relaxed : relaxed_) error_ = std::max(error_, relaxed.needed());
     return 0;
   }
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
@@ -88,7 +90,7 @@ void PieceCheck::look_at(std::uint32_t triangle) {
   if (!foreign(vertex[0]) && !foreign(vertex[1]) && !foreign(vertex[2])) return;
   const Point& centre = diagram_.centre[triangle];
   const double radius = distance(centre, mesh.points[vertex[0]]);
-  judge(radius - distance_from_segment(centre, a_, b_), radius);
+  judge(centre, radius, vertex);
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge side = triangulation::half_edge(triangle, i);
     if (mesh.triangles[triangulation::triangle_of(mesh.twin(side))].is_ghost()) continue;
@@ -107,15 +109,36 @@ void PieceCheck::look_at_crossing(HalfEdge side) {
   const double along = of_p / (of_p - of_q);
   const Point at{p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
   const double radius = distance(at, mesh.points[mesh.origin(side)]);
-  const double apart = distance_from_segment(at, a_, b_);
-  narrow_ |= apart <= margin_;
-  judge(radius - apart, radius);
+  if (distance_from_segment(at, a_, b_) <= margin_) narrow_ = true;
+  const std::uint32_t sites[] = {mesh.origin(side), mesh.target(side)};
+  judge(at, radius, sites);
 }
 
-void PieceCheck::judge(double depth, double radius) {
-  // No depth is more than the radius.
-  depth_ = std::max(depth_, std::min(depth, radius));
-  if (depth > tolerance_) radius_ = std::max(radius_, radius);
+/// `sites`: some to which the place belongs, all at the distance `radius`.
+void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint32_t> sites) {
+  const double apart = distance_from_segment(at, a_, b_), depth = radius - apart;
+  if (depth <= tolerance_) {
+    depth_ = std::max(depth_, depth);
+    return;
+  }
+  for (const std::uint32_t site : sites)
+    if (diagram_.object[site] != object_) relax(at, apart, radius, site);
+}
+
+void PieceCheck::relax(const Point& at, double apart, double radius, std::uint32_t site) {
+  auto relaxed = std::find_if(relaxed_.begin(), relaxed_.end(), [&](const Relaxed& r) { return r.site == site; });
+  if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0}});
+  const Mesh& mesh = diagram_.mesh;
+  for (const int i : {0, 1}) {
+    const std::uint32_t piece = ends_.at_vertex[site][i];
+    double difference = radius - apart;
+    if (piece != none) {
+      const auto [first, last] = ends_.of_piece[piece];
+      difference = distance_from_segment(at, mesh.points[first], mesh.points[last]) - apart;
+    }
+    relaxed->difference[i] = std::max(relaxed->difference[i], difference);
+  }
+  if (relaxed->needed() > tolerance_) radius_ = std::max(radius_, radius);
 }
 
 }  // namespace oblast::internal::zoning

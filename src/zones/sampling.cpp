@@ -101,22 +101,17 @@ class Sampling {
 
   /// False if all pieces are short enough. `error`: the largest epsilon that those need.
   bool divide(const Diagram& diagram, double& error) {
-    const Mesh& mesh = diagram.mesh;
-    Array<HalfEdge> leaving(mesh.points.size(), none);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t v = mesh.triangles[t].vertex[i]; v != triangulation::infinite_vertex)
-          leaving[v] = triangulation::half_edge(t, i);
+    const PieceEnds ends = ends_in(diagram);
     Array<std::uint8_t> halvings(pieces_.size());
     narrow_.assign(pieces_.size(), 0);
     Array<double> errors(range_count(pieces_.size(), tuning::checked_pieces_a_range), 0);
     for_numbered_ranges(
         pieces_.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t i, std::size_t end) {
-          PieceCheck check(diagram, leaving, room_);
+          PieceCheck check(diagram, ends, room_);
           for (; i < end; ++i) {
-            const Piece& piece = pieces_[i];
-            halvings[i] = static_cast<std::uint8_t>(check.halvings(mesh.vertex_of[piece.first], mesh.vertex_of[piece.last],
-                                                                   skeleton_.edges[piece.edge].object));
+            const auto [first, last] = ends.of_piece[i];
+            halvings[i] =
+                static_cast<std::uint8_t>(check.halvings(first, last, skeleton_.edges[pieces_[i].edge].object));
             narrow_[i] = check.is_narrow();
           }
           errors[range] = check.error();
@@ -124,6 +119,34 @@ class Sampling {
     error = 0;
     for (const double e : errors) error = std::max(error, e);
     return halve(halvings);
+  }
+
+  PieceEnds ends_in(const Diagram& diagram) const {
+    const Mesh& mesh = diagram.mesh;
+    PieceEnds ends;
+    ends.leaving.resize(mesh.points.size(), none);
+    Steps steps(mesh.triangles.size() + pieces_.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      steps();
+      for (std::uint32_t i = 0; i < 3; ++i)
+        if (const std::uint32_t v = mesh.triangles[t].vertex[i]; v != triangulation::infinite_vertex)
+          ends.leaving[v] = triangulation::half_edge(t, i);
+    }
+    ends.of_piece.reserve(pieces_.size());
+    ends.at_vertex.resize(mesh.points.size(), {none, none});
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      steps();
+      ends.of_piece.push_back({mesh.vertex_of[pieces_[i].first], mesh.vertex_of[pieces_[i].last]});
+      for (const std::uint32_t v : {ends.of_piece[i].first, ends.of_piece[i].last}) {
+        if (diagram.object[v] != skeleton_.edges[pieces_[i].edge].object) continue;
+        auto& at = ends.at_vertex[v];
+        if (at[0] == none)
+          at[0] = i;
+        else if (at[1] == none)
+          at[1] = i;
+      }
+    }
+    return ends;
   }
 
   bool halve(const Array<std::uint8_t>& halvings) {

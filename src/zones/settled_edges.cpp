@@ -1,9 +1,6 @@
 #include "zones/settled_edges.h"
 
-#include <oblast/domain.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "collect/collect.h"
@@ -39,22 +36,6 @@ void add_line(std::span<const Point> line, std::uint32_t object, Strands& strand
   }
 }
 
-/// The double beside x, towards zero; of numbers next to zero, the other way.
-double beside(double x) {
-  if (x == 0) return domain_smallest;
-  if (std::fabs(x) == domain_smallest) return 2 * x;
-  return std::nextafter(x, 0.0);
-}
-
-/// Its change is that of a source which is no object: edges without a change would be left out.
-void add_point(const LonePoint& point, std::uint32_t no_object, Strands& strands) {
-  const Point other{beside(point.at.x), point.at.y};
-  const bool first = lexicographically_less(point.at, other);
-  strands.points.push_back(first ? point.at : other);
-  strands.points.push_back(first ? other : point.at);
-  strands.close_strand({0, once(no_object)}, noding::any_group);
-}
-
 /// An edge of a strand.
 struct Piece {
   Point low, high;
@@ -83,8 +64,7 @@ LargeArray<Piece> pieces_of(const Strands& strands) {
 }
 
 /// One edge in place of all its copies.
-LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, std::uint32_t objects,
-                                 noding::SourceChanges& changes) {
+LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, noding::SourceChanges& changes) {
   LargeArray<SettledEdge> edges;
   edges.reserve(pieces.size());
   Steps steps(pieces.size());
@@ -99,9 +79,8 @@ LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, std::uint32_t 
       edge.cover += count;
       edge.outline_of = std::min(edge.outline_of, object);
     });
-    changes.for_each(change.b, [&](std::uint32_t object, std::int32_t) {
-      if (object < objects) edge.line_of = std::min(edge.line_of, object);
-    });
+    changes.for_each(change.b,
+                     [&](std::uint32_t object, std::int32_t) { edge.line_of = std::min(edge.line_of, object); });
     if (edge.outline_of != none || edge.line_of != none) edges.push_back(edge);
   }
   return edges;
@@ -142,10 +121,9 @@ SettledObjects settle_objects(const Objects& objects, noding::SourceChanges& cha
     settled.points.push_back({clean(objects.shapes.points[i]), objects.of_point[i]});
   sort_points(settled.points);
   if (strands.size() == 0) return settled;
-  for (const LonePoint& point : settled.points) add_point(point, objects.count, strands);
   noding::NodingReport report(false);
   strands = node_strands(std::move(strands), report, resolve_by_pipeline(control), statistics.resolved_polygons);
-  settled.edges = edges_of(pieces_of(strands), objects.count, changes);
+  settled.edges = edges_of(pieces_of(strands), changes);
   settled.polygons = polygons_of(std::move(strands));
   return settled;
 }

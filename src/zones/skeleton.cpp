@@ -8,6 +8,7 @@
 #include "triangulation/constrain.h"
 #include "triangulation/delaunay.h"
 #include "zones/distance.h"
+#include "zones/vertices_on_edges.h"
 
 namespace oblast::internal::zoning {
 namespace {
@@ -31,15 +32,16 @@ class Finder {
   }
 
  private:
-  std::uint32_t vertex(std::size_t point) const { return mesh_.vertex_of[point]; }
-  std::uint32_t low(std::size_t edge) const { return vertex(2 * edge); }
-  std::uint32_t high(std::size_t edge) const { return vertex(2 * edge + 1); }
+  /// A piece of a settled edge: all of it, but where it passes through points.
+  struct Piece {
+    std::uint32_t edge, low, high;  ///< the ends are vertices
+  };
 
   void triangulate() {
     LargeArray<Point> points;
-    check_count(2 * settled_.edges.size() + settled_.points.size() + room_.ring.size(), "vertices of objects",
-                most_mesh_vertices);
-    points.reserve(2 * settled_.edges.size() + settled_.points.size() + room_.ring.size());
+    const std::size_t count = 2 * settled_.edges.size() + settled_.points.size() + room_.ring.size();
+    check_count(count, "vertices of objects", most_mesh_vertices);
+    points.reserve(count);
     for (const SettledEdge& edge : settled_.edges) {
       points.push_back(edge.low);
       points.push_back(edge.high);
@@ -47,16 +49,30 @@ class Finder {
     for (const LonePoint& point : settled_.points) points.push_back(point.at);
     points.insert(points.end(), room_.ring.begin(), room_.ring.end());
     mesh_ = delaunay(points);
-    Array<Constraint> constraints(settled_.edges.size());
-    for (std::size_t e = 0; e < constraints.size(); ++e) constraints[e] = {low(e), high(e)};
+    Array<std::uint32_t> on_edge;
+    VerticesOnEdges find(mesh_);
+    for (std::uint32_t e = 0; e < settled_.edges.size(); ++e) {
+      std::uint32_t low = mesh_.vertex_of[2 * e];
+      const std::uint32_t high = mesh_.vertex_of[2 * e + 1];
+      on_edge.clear();
+      // Ends of other edges are not on this one, since edges are settled.
+      if (!settled_.points.empty()) find.between(low, high, on_edge);
+      on_edge.push_back(high);
+      for (const std::uint32_t v : on_edge) {
+        pieces_.push_back({e, low, v});
+        low = v;
+      }
+    }
+    Array<Constraint> constraints(pieces_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) constraints[i] = {pieces_[i].low, pieces_[i].high};
     half_edges_ = constrain(mesh_, constraints);
   }
 
   /// By triangle: how many polygons cover it. Everything is reached from the outside, side by side.
   void cover_triangles() {
-    Array<std::uint32_t> edge_of(4 * mesh_.triangles.size(), none);
-    for (std::uint32_t e = 0; e < half_edges_.size(); ++e)
-      edge_of[half_edges_[e]] = edge_of[mesh_.twin(half_edges_[e])] = e;
+    Array<std::uint32_t> piece_of(4 * mesh_.triangles.size(), none);
+    for (std::uint32_t k = 0; k < half_edges_.size(); ++k)
+      piece_of[half_edges_[k]] = piece_of[mesh_.twin(half_edges_[k])] = k;
     cover_.assign(mesh_.triangles.size(), unknown);
     Array<std::uint32_t> waiting;
     for (std::uint32_t t = 0; t < mesh_.triangles.size() && waiting.empty(); ++t)
@@ -71,10 +87,10 @@ class Finder {
       waiting.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i) {
         const HalfEdge h = half_edge(t, i), g = mesh_.twin(h);
-        const std::uint32_t across = triangle_of(g), e = edge_of[h];
+        const std::uint32_t across = triangle_of(g), k = piece_of[h];
         if (cover_[across] != unknown) continue;
         std::int32_t change = 0;
-        if (e != none) change = half_edges_[e] == h ? -settled_.edges[e].cover : settled_.edges[e].cover;
+        if (k != none) change = settled_.edges[pieces_[k].edge].cover * (half_edges_[k] == h ? -1 : 1);
         cover_[across] = cover_[t] + change;
         waiting.push_back(across);
       }
@@ -85,24 +101,20 @@ class Finder {
     owner_.assign(mesh_.points.size(), none);
     contact_.assign(mesh_.points.size(), none);
     on_edge_.assign(mesh_.points.size(), false);
-    for (std::uint32_t e = 0; e < settled_.edges.size(); ++e) {
+    for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
+      const auto [e, low, high] = pieces_[k];
       const SettledEdge& edge = settled_.edges[e];
-      on_edge_[low(e)] = on_edge_[high(e)] = true;
-      const HalfEdge h = half_edges_[e];
+      on_edge_[low] = on_edge_[high] = true;
+      const HalfEdge h = half_edges_[k];
       if (cover_[triangle_of(h)] > 0 && cover_[triangle_of(mesh_.twin(h))] > 0) continue;
       const std::uint32_t object = std::min(edge.outline_of, edge.line_of);
-      skeleton_.edges.push_back({edge.low, edge.high, object, none, none, low(e), high(e)});
-      if (object == edge.line_of) add_strip(h);
-      for (const std::uint32_t v : {low(e), high(e)}) {
+      skeleton_.edges.push_back({mesh_.points[low], mesh_.points[high], object, none, none, low, high});
+      skeleton_.strips.push_back({tip(h), tip(mesh_.twin(h))});
+      for (const std::uint32_t v : {low, high}) {
         if (owner_[v] != none && owner_[v] != object) contact_[v] = is_contact;
         owner_[v] = std::min(owner_[v], object);
       }
     }
-  }
-
-  void add_strip(HalfEdge h) {
-    const auto edge = static_cast<std::uint32_t>(skeleton_.edges.size() - 1);
-    skeleton_.strips.push_back({edge, tip(h), tip(mesh_.twin(h))});
   }
 
   /// The tip of the strip on the left of the side: on the way from its middle to the opposite corner.
@@ -160,7 +172,7 @@ class Finder {
       if (cover_[t] > 0)
         for (const std::uint32_t v : mesh_.triangles[t].vertex) covered[v] = true;
     for (std::size_t i = 0; i < settled_.points.size(); ++i) {
-      const std::uint32_t v = vertex(2 * settled_.edges.size() + i);
+      const std::uint32_t v = mesh_.vertex_of[2 * settled_.edges.size() + i];
       if (!on_edge_[v] && !covered[v]) skeleton_.points.push_back(settled_.points[i]);
     }
   }
@@ -171,7 +183,8 @@ class Finder {
   const SettledObjects& settled_;
   const Room& room_;
   Mesh mesh_;
-  Array<HalfEdge> half_edges_;                ///< by edge: from low to high
+  Array<Piece> pieces_;
+  Array<HalfEdge> half_edges_;                ///< by piece: from low to high
   Array<std::int32_t> cover_;                 ///< by triangle
   Array<std::uint32_t> owner_, contact_;      ///< by vertex
   Array<bool> on_edge_;                       ///< by vertex

@@ -33,17 +33,16 @@ struct FreeEdge {
   std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
 };
 
-/// A strip along a line: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the edge, in
+/// A strip along a free edge: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the edge, in
 /// the part that is nearer to this edge than to their other sides, and is at most a sixteenth of epsilon wide. A side that
 /// is covered, or too narrow, has no strip: there the tip is the end `low`.
 struct Strip {
-  std::uint32_t edge;
   Point left, right;
 };
 
 struct Skeleton {
   LargeArray<FreeEdge> edges;
-  LargeArray<Strip> strips;  ///< of all edges that lie along a line of their object, in order
+  LargeArray<Strip> strips;  ///< by edge
   Array<std::uint32_t> object_of_vertex;  ///< the lowest that has an edge there
   Array<Contact> contacts;
   Array<LonePoint> points;  ///< those that no polygon covers and no edge ends at

@@ -93,13 +93,14 @@ class Zones {
     return strands;
   }
 
-  /// Lines that may pass through cells of other objects get strips along them, which count as their area: so they lie in
-  /// their zones exactly. True if there are some.
+  /// Edges that may pass through cells of other objects get strips along them, which count as area of their objects. So
+  /// lines lie in their zones exactly, and borders of cells that end at polygons do not move them. True if there are some.
   static bool append_strips(const Skeleton& skeleton, const Array<bool>& narrow, noding::Strands& strands) {
     bool found = false;
-    for (const Strip& strip : skeleton.strips) {
-      const FreeEdge& edge = skeleton.edges[strip.edge];
-      if (!narrow[strip.edge] || (strip.left == edge.low && strip.right == edge.low)) continue;
+    for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+      const FreeEdge& edge = skeleton.edges[e];
+      const Strip& strip = skeleton.strips[e];
+      if (!narrow[e] || (strip.left == edge.low && strip.right == edge.low)) continue;
       strands.points.push_back(edge.low);
       if (strip.right != edge.low) strands.points.push_back(strip.right);
       strands.points.push_back(edge.high);

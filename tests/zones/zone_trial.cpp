@@ -94,7 +94,7 @@ class Trial {
     if (box.empty()) return {};
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double asked = options_.tolerance > 0 ? options_.tolerance : side * options_.relative_tolerance;
-    if (statistics_.tolerance > asked * (1 + 1e-9)) return "the tolerance is larger than what was asked for";
+    if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding)) return "the tolerance is larger than what was asked for";
     if (statistics_.error > statistics_.tolerance) return "the error is above the tolerance";
     if (question_.has_points_only() && statistics_.error != 0) return "points have an error";
     return {};
