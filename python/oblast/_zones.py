@@ -129,8 +129,10 @@ def zones_of(
 ) -> Zones:
     """The zones of numbered objects; lengths are tolerance, relative tolerance and distance."""
     regions, lines, points = (part._core for part in shapes)
+    tolerance, relative_tolerance, distance = map(float, lengths)
+    objects = np.ascontiguousarray(numbers)
     found, error, rounding = _core.zones(
-        regions, lines, points, frame._core, np.ascontiguousarray(numbers), len(groups), *map(float, lengths), settings
+        regions, lines, points, frame._core, objects, len(groups), tolerance, relative_tolerance, distance, settings
     )
     return Zones(Regions._of(found), groups, error, rounding)
 

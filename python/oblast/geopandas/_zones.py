@@ -68,11 +68,11 @@ def zones(
     [['a', 4.0], ['b', 8.0]]
     """
     _require_plane(objects)
-    numbers: npt.NDArray[np.int64] = np.arange(len(objects))
+    numbers = np.arange(len(objects))
     result = objects
     if by is not None:
-        grouped = pd.DataFrame(_attributes(objects)).groupby(by, dropna=False)
-        numbers, result = grouped.ngroup().to_numpy(), grouped.first()
+        grouped = _attributes(objects).groupby(by, dropna=False)
+        numbers, result = np.array(grouped.ngroup(), dtype=np.int64), grouped.first()
     lengths = tolerance, relative_tolerance, distance
     made, error, rounding = _zones(objects, numbers, len(result), _frame(within, objects), lengths)
     if isinstance(result, GeoSeries):
@@ -87,7 +87,7 @@ def zones(
 
 def _attributes(objects: GeoDataFrame | GeoSeries) -> pd.DataFrame:
     if isinstance(objects, GeoDataFrame):
-        return objects.drop(columns=objects.geometry.name)
+        return pd.DataFrame(objects.drop(columns=objects.geometry.name))
     return pd.DataFrame(index=objects.index)
 
 
@@ -108,7 +108,7 @@ def _frame(within: Any, objects: GeoDataFrame | GeoSeries) -> Regions:
 
 def _zones(
     objects: GeoDataFrame | GeoSeries,
-    numbers: npt.NDArray[np.int64],
+    numbers: npt.NDArray[Any],
     count: int,
     frame: Regions,
     lengths: tuple[float, float, float],
