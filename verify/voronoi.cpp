@@ -54,24 +54,36 @@ class Comparison {
  public:
   Comparison(const Box& box, double tolerance) : box_(box), tolerance_(tolerance) {}
 
+  /// Every vertex of the cell is found, and what else is found is as near to the cell's edges as rounding takes
+  /// vertices of neighbours.
   bool are_equal(std::span<const Point> found, std::span<const Point> expected) const {
-    if (found.size() != expected.size()) return false;
-    for (std::size_t turn = 0; turn < found.size(); ++turn) {
-      bool equal = true;
-      for (std::size_t i = 0; i < found.size() && equal; ++i)
-        equal = are_equal(found[(i + turn) % found.size()], expected[i]);
-      if (equal) return true;
-    }
-    return found.empty();
+    if (found.empty() || expected.empty()) return found.empty() == expected.empty();
+    return std::all_of(expected.begin(), expected.end(),
+                       [&](const Point& v) { return is_found(v, found, expected); }) &&
+           std::all_of(found.begin(), found.end(), [&](const Point& p) { return is_beside(p, expected); });
   }
 
  private:
-  bool are_equal(const Point& found, const Point& expected) const {
-    if (found == expected) return true;
-    const bool on_side = found.x == expected.x && (found.x == box_.low.x || found.x == box_.high.x);
-    const bool on_level = found.y == expected.y && (found.y == box_.low.y || found.y == box_.high.y);
-    return (on_side && std::abs(found.y - expected.y) <= tolerance_) ||
-           (on_level && std::abs(found.x - expected.x) <= tolerance_);
+  bool is_found(const Point& v, std::span<const Point> found, std::span<const Point> expected) const {
+    // A vertex within a few roundings of another one may have been moved to it.
+    const bool crowded = std::any_of(expected.begin(), expected.end(), [&](const Point& other) {
+      return other != v && std::max(std::abs(other.x - v.x), std::abs(other.y - v.y)) <= 8 * tolerance_;
+    });
+    return std::any_of(found.begin(), found.end(), [&](const Point& p) {
+      return p == v || ((crowded || is_on_box(v)) && std::max(std::abs(p.x - v.x), std::abs(p.y - v.y)) <= tolerance_);
+    });
+  }
+
+  bool is_on_box(const Point& p) const {
+    return p.x == box_.low.x || p.x == box_.high.x || p.y == box_.low.y || p.y == box_.high.y;
+  }
+
+  bool is_beside(const Point& p, std::span<const Point> cell) const {
+    for (std::size_t i = 0; i < cell.size(); ++i)
+      if (squared_distance(RationalPoint(p), cell[i], cell[(i + 1) % cell.size()]) <=
+          Rational(tolerance_) * Rational(tolerance_))
+        return true;
+    return false;
   }
 
   const Box& box_;

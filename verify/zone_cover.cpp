@@ -2,8 +2,8 @@
 // which objects and rows are there.
 //
 // Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
-// edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone. A
-// fault is excused if it is beside an edge that may have moved, and if a small step away from the piece, or from that
+// edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone.
+// A fault is excused if it is beside an edge that may have moved, and if a small step away from the piece, or from that
 // edge, labels are right again. A line or a point that moved is excused in a row of another object that is as near.
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,8 @@ class CoverCheck {
     return holds_any(rows.first, holders) || holds_any(rows.second, holders);
   }
 
-  /// The objects that may have a place of a line: regions that it is in, or on the outline of, and the lowest line there.
+  /// The objects that may have a place of a line: regions that it is in, or on the outline of, and the lowest line
+  /// there.
   std::vector<std::uint32_t> holders_of_line(const ZoneEdge& s, const Location& p) const {
     const bool on_horizontal = s.a.y == s.b.y;
     std::vector<std::uint32_t> holders;

@@ -83,7 +83,25 @@ class DistanceCheck {
       most = std::min(most, found.high);
       if (found.low <= limit()) near_.push_back({&objects.edges[k], found});
     });
-    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit(); });
+    std::erase_if(near_, [&](const Near& n) { return n.distance.low > limit() || is_thin(*n.edge, p); });
+  }
+
+  /// Whether the region on one side of the edge is thinner there than `thin`: another edge of its boundary is as near,
+  /// at the place next to p and a little on from there.
+  bool is_thin(const ZoneObjects::Edge& e, const Point& p) const {
+    if (bounds_.thin == 0 || !e.of_region) return false;
+    const double x = e.b.x - e.a.x, y = e.b.y - e.a.y;
+    const double t = std::clamp(((p.x - e.a.x) * x + (p.y - e.a.y) * y) / (x * x + y * y), 0.0, 1.0);
+    const Point here = at(e, t), on = at(e, t < 0.5 ? t + 0.01 : t - 0.01);
+    bool found = false;
+    const auto limit = [&] { return bounds_.thin; };
+    zones_.objects.tree.near(here, limit, [&](std::uint32_t k) {
+      const ZoneObjects::Edge& other = zones_.objects.edges[k];
+      if (&other == &e || !other.of_region || other.object != e.object) return;
+      found = found || (estimated_distance(here, other).low <= bounds_.thin &&
+                        estimated_distance(on, other).low <= bounds_.thin);
+    });
+    return found;
   }
 
   void check(const Point& p) {
@@ -163,13 +181,22 @@ class DistanceCheck {
     if (bounds_.lower == HUGE_VAL) return;
     const bool is_in_frame = std::any_of(frame_.areas.begin(), frame_.areas.end(),
                                          [&](const Area& area) { return area.where(p) == Area::Where::inside; });
-    if (!is_in_frame) return;
+    if (!is_in_frame || is_beside_frame(p)) return;
     find_near(p, 0);
     const bool is_near = !holders.empty() || std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
       return n.distance.low < bounds_.lower &&
              squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower));
     });
     if (is_near) fail("a place nearer than the largest distance is in no row", p);
+  }
+
+  /// As near to the frame's edges as rounding may have moved them.
+  bool is_beside_frame(const Point& p) const {
+    return std::any_of(frame_.areas.begin(), frame_.areas.end(), [&](const Area& area) {
+      return std::any_of(area.edges().begin(), area.edges().end(), [&](const Stroke& e) {
+        return bounds_.thin > 0 && estimated_distance(p, e).low <= bounds_.thin;
+      });
+    });
   }
 
   void fail(const std::string& what, const Point& p) {

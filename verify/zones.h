@@ -52,6 +52,7 @@ struct ZoneDistanceBounds {
   double epsilon = 0;  ///< Z3
   /// With a largest distance: places nearer than `lower` are in a row, and no place of a row is further than `upper`.
   double lower = std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
+  double thin = 0;              ///< parts of regions that are thinner may be gone, since rounding may close them
   std::uint64_t places = 1000;  ///< so many in the frame, and so many on and beside borders
   std::uint64_t seed = 1;
 };

@@ -38,10 +38,11 @@ struct ZoneOptions : CallOptions {
 
 /// The zone of each object within the frame: the places to which no other object is nearer.
 ///
-/// Row i of the result is the zone of object i, with the key (i, no_feature). Object i is all shapes with the row number
-/// i; there is a row for every number up to the largest one. Polygons are the even-odd of their own rings. The frame is
-/// the union of its polygons. If it is empty, it is the box of all objects with a margin: a tenth of its larger side, or
-/// one and a half times `distance` if that is finite.
+/// Row i of the result is the zone of object i, with the key (i, no_feature). Object i is all shapes with the row
+/// number i; there is a row for every number up to the largest one. Polygons are the even-odd of their own rings. The
+/// frame is the union of its polygons. If it is empty, it is the box of all objects with a margin: a tenth of its
+/// larger side (of a single place: 1, or 2^-20 of its largest coordinate if that is more), or one and a half times
+/// `distance` if that is finite.
 ///
 /// Coverage (Z1): zones leave no gap in the frame (but for places beyond `distance`) and do not overlap; they share
 /// their borders bit for bit, as promise G8 says.
@@ -63,6 +64,7 @@ struct ZoneOptions : CallOptions {
 /// Cost: O((n + k + s) log (n + s)), n edges, k crossings, s sites.
 /// Throws Error: not_finite, out_of_domain, too_large, bad_offsets, bad_option, cancelled, memory_limit. The operand of
 /// its place is 0 for regions, 1 for lines, 2 for points, 3 for the frame.
-OBLAST_API FeatureSet zones(const ShapeFeatures& objects, const RegionView& frame = {}, const ZoneOptions& options = {});
+OBLAST_API FeatureSet zones(const ShapeFeatures& objects, const RegionView& frame = {},
+                            const ZoneOptions& options = {});
 
 }  // namespace oblast

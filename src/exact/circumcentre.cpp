@@ -1,6 +1,6 @@
-// Idea: with p = b - a and q = c - a the point is a + (q.y |p|^2 - p.y |q|^2, p.x |q|^2 - q.x |p|^2) / (2 p x q): degree
-// 3 over 2, as the intersection of edges. The domain is made for products of three coordinates (expansion.h). As there,
-// double-doubles settle it nearly always, and expansions the rest.
+// Idea: with p = b - a and q = c - a the point is a + (q.y |p|^2 - p.y |q|^2, p.x |q|^2 - q.x |p|^2) / (2 p x q):
+// degree 3 over 2, as the intersection of edges. The domain is made for products of three coordinates (expansion.h). As
+// there, double-doubles settle it nearly always, and expansions the rest.
 #include "exact/circumcentre.h"
 
 #include <cmath>

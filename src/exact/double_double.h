@@ -1,5 +1,5 @@
-// Double-double arithmetic with bounds on its errors: about 100 bits, which settle the rounding of a construction nearly
-// always.
+// Double-double arithmetic with bounds on its errors: about 100 bits, which settle the rounding of a construction
+// nearly always.
 #pragma once
 
 #include <oblast/domain.h>
@@ -65,8 +65,8 @@ inline Pair quotient(const Pair& p, const Pair& q) {
   return r;
 }
 
-/// high + low, if the rounding is the same for all numbers within `error` of it, and is not affected by the lower end of
-/// the domain; else NaN.
+/// high + low, if the rounding is the same for all numbers within `error` of it, and is not affected by the lower end
+/// of the domain; else NaN.
 inline double settled(double high, double low, double error) {
   if (high + (low + error) == high + (low - error) && (high == 0 || std::fabs(high) > domain_smallest)) return high;
   return std::numeric_limits<double>::quiet_NaN();

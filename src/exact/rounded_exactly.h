@@ -33,8 +33,8 @@ inline bool is_even(double x) {
   return std::fmod(std::ldexp(std::frexp(x, &exponent), 53), 2.0) == 0;
 }
 
-/// The exact rational numerator / denominator rounded to nearest, ties to even; a magnitude below the domain becomes 0 or
-/// domain_smallest, whichever is nearer. REQUIRES: denominator > 0.
+/// The exact rational numerator / denominator rounded to nearest, ties to even; a magnitude below the domain becomes 0
+/// or domain_smallest, whichever is nearer. REQUIRES: denominator > 0.
 template <int N, int M>
 double rounded_exactly(const Expansion<N>& numerator, const Expansion<M>& denominator) {
   double x = numerator.estimate() / denominator.estimate();

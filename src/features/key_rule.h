@@ -38,9 +38,9 @@ class KeyRule {
   /// (s, none), s the set of sources of A, where that is not empty.
   static KeyRule set() { return KeyRule(Kind::set); }
 
-  /// (i, none), i the first source of A or, where there is none, of B. Two sources of A do not count among these: places
-  /// that `frame` does not cover have no key, and neither have those that only B and not `reach` covers (no_feature:
-  /// B counts everywhere). REQUIRES: they are above all other sources.
+  /// (i, none), i the first source of A or, where there is none, of B. Two sources of A do not count among these:
+  /// places that `frame` does not cover have no key, and neither have those that only B and not `reach` covers
+  /// (no_feature: B counts everywhere). REQUIRES: they are above all other sources.
   static KeyRule lowest(std::uint32_t frame, std::uint32_t reach) {
     KeyRule rule(Kind::lowest);
     rule.frame_ = frame;

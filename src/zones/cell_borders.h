@@ -20,9 +20,11 @@
 
 namespace oblast::internal::zoning {
 
-/// Appends the borders, with changes of operand B. `changes` is where their handles are from. A border between two sites
-/// of one contact goes through the contact.
-void append_cell_borders(const Diagram& diagram, std::span<const Contact> contacts, noding::SourceChanges& changes,
-                         noding::Strands& strands);
+/// Appends the borders, with changes of operand B. `changes` is where their handles are from. A border between two
+/// sites of one contact goes through the contact. Vertices that do not end a border, nor are contacts, are left out
+/// where this moves the border by `flattening` at most, and by an eighth of the distance between the two sites. (0: all
+/// stay.)
+void append_cell_borders(const Diagram& diagram, std::span<const Contact> contacts, double flattening,
+                         noding::SourceChanges& changes, noding::Strands& strands);
 
 }  // namespace oblast::internal::zoning

@@ -34,8 +34,8 @@ Diagram make_diagram(std::span<const Site> sites, std::span<const Contact> conta
       if (triangle.is_ghost()) continue;
       const std::uint32_t contact = diagram.contact_of(static_cast<std::uint32_t>(t));
       const auto [a, b, c] = triangle.vertex;
-      diagram.centre[t] = contact != none ? contacts[contact].at
-                                          : exact::circumcentre(mesh.points[a], mesh.points[b], mesh.points[c]);
+      diagram.centre[t] =
+          contact != none ? contacts[contact].at : exact::circumcentre(mesh.points[a], mesh.points[b], mesh.points[c]);
     }
   });
   return diagram;

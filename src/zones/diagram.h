@@ -24,7 +24,7 @@ struct Diagram {
   Mesh mesh;
   Array<std::uint32_t> object;   ///< by vertex: the lowest one of the sites that are there
   Array<std::uint32_t> contact;  ///< by vertex: that of this site; empty if there are no contacts
-  LargeArray<Point> centre;     ///< by triangle; anything for those with the vertex at infinity
+  LargeArray<Point> centre;      ///< by triangle; anything for those with the vertex at infinity
 
   /// The contact that all three vertices are at, or both ends of the side; none if there is none.
   std::uint32_t contact_of(std::uint32_t triangle) const {

@@ -38,9 +38,7 @@ struct Extent {
     }
   }
   double side() const { return std::max(max_x - min_x, max_y - min_y); }
-  double largest() const {
-    return std::max({std::fabs(min_x), std::fabs(max_x), std::fabs(min_y), std::fabs(max_y)});
-  }
+  double largest() const { return std::max({std::fabs(min_x), std::fabs(max_x), std::fabs(min_y), std::fabs(max_y)}); }
 };
 
 [[noreturn]] void refuse_room() {
@@ -98,14 +96,16 @@ Room make_room(const ShapeView& shapes, const RegionView& frame, const ZoneOptio
   // diagonals is nearer to one of the eight than to any object.
   const double x = all.min_x / 2 + all.max_x / 2, y = all.min_y / 2 + all.max_y / 2;
   const double far = 2 * diagonal, both = 1.5 * diagonal;
-  room.ring = {point(x + far, y),  point(x + both, y + both), point(x, y + far),  point(x - both, y + both),
-               point(x - far, y),  point(x - both, y - both), point(x, y - far),  point(x + both, y - both)};
+  room.ring = {point(x + far, y), point(x + both, y + both), point(x, y + far), point(x - both, y + both),
+               point(x - far, y), point(x - both, y - both), point(x, y - far), point(x + both, y - both)};
   const double largest = largest_coordinate(room.ring);
   if (!(largest <= domain_largest)) refuse_room();
   room.unit = ulp_of(largest);
   const double wanted =
       options.tolerance > 0 ? options.tolerance : options.relative_tolerance * std::max(objects.side(), 0.0);
-  room.tolerance = std::max(wanted, 64 * room.unit);
+  room.tolerance = std::max(wanted, 96 * room.unit);
+  room.flattening = room.tolerance / 3;
+  room.sampling = room.tolerance - 2 * room.flattening;
   return room;
 }
 

@@ -24,7 +24,9 @@ double in_domain_near(double x);
 
 /// Where everything takes place.
 struct Room {
-  double tolerance = 0;    ///< epsilon
+  double tolerance = 0;    ///< epsilon; it is shared out to the next two
+  double sampling = 0;     ///< how much further a place may be from its object than from another one, for lack of sites
+  double flattening = 0;   ///< how far borders may be moved to save vertices; this counts twice
   double unit = 0;         ///< in the last place of the largest coordinate
   Array<Point> box_frame;  ///< where the caller gave no frame: the corners of the frame
   /// Points that stand for the far outside: so far that no place of the frame, and no object, is nearer to them than to

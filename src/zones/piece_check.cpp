@@ -14,7 +14,7 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
   b_ = mesh.points[last];
   object_ = object;
   const double length = distance(a_, b_);
-  if (length <= 2 * tolerance_) {
+  if (length <= 2 * room_.sampling) {
     // Each of its places is as near to one of its ends.
     error_ = std::max(error_, length / 2);
     narrow_ = true;
@@ -51,7 +51,7 @@ int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t 
   }
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
   // in, so this divides too little rather than too much.
-  const double wanted = std::sqrt(8 * radius_ * tolerance_);
+  const double wanted = std::sqrt(8 * radius_ * room_.sampling);
   return std::clamp(length > wanted ? std::ilogb(length / wanted) : 1, 1, 6);
 }
 
@@ -91,6 +91,9 @@ void PieceCheck::look_at(std::uint32_t triangle) {
   const Point& centre = diagram_.centre[triangle];
   const double radius = distance(centre, mesh.points[vertex[0]]);
   judge(centre, radius, vertex);
+  narrow_ |= distance_from_segment(centre, a_, b_) <= room_.flattening + margin_;
+  for (const std::uint32_t v : vertex)
+    narrow_ |= foreign(v) && distance_from_segment(mesh.points[v], a_, b_) <= room_.tolerance + margin_;
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge side = triangulation::half_edge(triangle, i);
     if (mesh.triangles[triangulation::triangle_of(mesh.twin(side))].is_ghost()) continue;
@@ -117,7 +120,7 @@ void PieceCheck::look_at_crossing(HalfEdge side) {
 /// `sites`: some to which the place belongs, all at the distance `radius`.
 void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint32_t> sites) {
   const double apart = distance_from_segment(at, a_, b_), depth = radius - apart;
-  if (depth <= tolerance_) {
+  if (depth <= room_.sampling) {
     depth_ = std::max(depth_, depth);
     return;
   }
@@ -127,18 +130,23 @@ void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint
 
 void PieceCheck::relax(const Point& at, double apart, double radius, std::uint32_t site) {
   auto relaxed = std::find_if(relaxed_.begin(), relaxed_.end(), [&](const Relaxed& r) { return r.site == site; });
-  if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0}});
+  if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0, 0}});
   const Mesh& mesh = diagram_.mesh;
+  const auto keep = [&](int i, double from_object) {
+    relaxed->difference[i] = std::max(relaxed->difference[i], from_object - apart);
+  };
+  Point end[2];
   for (const int i : {0, 1}) {
-    const std::uint32_t piece = ends_.at_vertex[site][i];
-    double difference = radius - apart;
-    if (piece != none) {
+    end[i] = mesh.points[site];
+    if (const std::uint32_t piece = ends_.at_vertex[site][i]; piece != none) {
       const auto [first, last] = ends_.of_piece[piece];
-      difference = distance_from_segment(at, mesh.points[first], mesh.points[last]) - apart;
+      end[i] = mesh.points[first == site ? last : first];
     }
-    relaxed->difference[i] = std::max(relaxed->difference[i], difference);
+    keep(i, distance_from_segment(at, mesh.points[site], end[i]));
   }
-  if (relaxed->needed() > tolerance_) radius_ = std::max(radius_, radius);
+  const bool straight_on = distance_from_segment(mesh.points[site], end[0], end[1]) <= margin_;
+  keep(2, straight_on ? distance_from_segment(at, end[0], end[1]) : radius);
+  if (relaxed->needed() > room_.sampling) radius_ = std::max(radius_, radius);
 }
 
 }  // namespace oblast::internal::zoning

@@ -77,8 +77,11 @@ class Sampling {
     stops.clear();
     const auto add_shells = [&](std::uint32_t contact, bool from_high) {
       if (contact == none) return;
-      for (double r = skeleton_.contacts[contact].radius; r <= length / 2; r *= 2)
-        stops.push_back(from_high ? 1 - r / length : r / length);
+      double r = skeleton_.contacts[contact].radius;
+      while (r <= length / 2) {
+        stops_.push_back(from_high ? 1 - r / length : r / length);
+        r *= 2;
+      }
     };
     add_shells(edge.low_contact, false);
     const std::size_t half = stops.size();

@@ -16,7 +16,7 @@
 namespace oblast::internal::zoning {
 
 struct Sampled {
-  Diagram diagram;  ///< of sites that are dense enough
+  Diagram diagram;     ///< of sites that are dense enough
   Array<bool> narrow;  ///< by free edge: whether it may pass through cells of other objects
   std::uint64_t sites = 0;
   std::uint64_t rounds = 0;

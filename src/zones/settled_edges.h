@@ -18,9 +18,9 @@ namespace oblast::internal::zoning {
 /// An edge from `low` to `high`, the lexicographically smaller end first, with all its copies.
 struct SettledEdge {
   Point low, high;
-  std::int32_t cover;         ///< how many polygons more cover its left side than its right one
-  std::uint32_t outline_of;   ///< the lowest object whose polygons cover just one of its sides; none if there is none
-  std::uint32_t line_of;      ///< the lowest object with a line along it; none if there is none
+  std::int32_t cover;        ///< how many polygons more cover its left side than its right one
+  std::uint32_t outline_of;  ///< the lowest object whose polygons cover just one of its sides; none if there is none
+  std::uint32_t line_of;     ///< the lowest object with a line along it; none if there is none
 };
 
 struct LonePoint {

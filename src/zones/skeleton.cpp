@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "exact/orientation.h"
 #include "plane/largest_ulp.h"
@@ -109,7 +110,7 @@ class Finder {
       if (cover_[triangle_of(h)] > 0 && cover_[triangle_of(mesh_.twin(h))] > 0) continue;
       const std::uint32_t object = std::min(edge.outline_of, edge.line_of);
       skeleton_.edges.push_back({mesh_.points[low], mesh_.points[high], object, none, none, low, high});
-      skeleton_.strips.push_back({tip(h), tip(mesh_.twin(h))});
+      skeleton_.strips.push_back(strip(h));
       for (const std::uint32_t v : {low, high}) {
         if (owner_[v] != none && owner_[v] != object) contact_[v] = is_contact;
         owner_[v] = std::min(owner_[v], object);
@@ -117,19 +118,28 @@ class Finder {
     }
   }
 
-  /// The tip of the strip on the left of the side: on the way from its middle to the opposite corner.
-  Point tip(HalfEdge h) const {
-    const Point none_here = skeleton_.edges.back().low;
+  /// The strip on the left of a side. `first` is at its origin.
+  HalfStrip half_strip(HalfEdge h) const {
     const std::uint32_t t = triangle_of(h);
-    if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return none_here;
+    if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return {};
     const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)], &c = mesh_.points[mesh_.apex(h)];
-    const Point middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2};
-    const double part = std::min(1.0 / 8, room_.tolerance / 16 / distance(middle, c));
-    const Point at{in_domain_near(middle.x + part * (c.x - middle.x)),
-                   in_domain_near(middle.y + part * (c.y - middle.y))};
-    const bool inside = exact::orientation(a, b, at) > 0 && exact::orientation(b, c, at) > 0 &&
-                        exact::orientation(c, a, at) > 0;
-    return inside ? at : none_here;
+    const Point middle{a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3};
+    const double longest = std::max(distance(a, middle), distance(b, middle));
+    const double part = std::min(0.5, room_.tolerance / 16 / longest);
+    const auto towards_middle = [&](const Point& p) {
+      return Point{in_domain_near(p.x + part * (middle.x - p.x)), in_domain_near(p.y + part * (middle.y - p.y))};
+    };
+    const auto is_inside = [&](const Point& p) {
+      return exact::orientation(a, b, p) > 0 && exact::orientation(b, c, p) > 0 && exact::orientation(c, a, p) > 0;
+    };
+    const HalfStrip half{true, towards_middle(a), towards_middle(b)};
+    return is_inside(half.first) && is_inside(half.second) ? half : HalfStrip{};
+  }
+
+  Strip strip(HalfEdge h) const {
+    HalfStrip right = half_strip(mesh_.twin(h));
+    std::swap(right.first, right.second);
+    return {half_strip(h), right};
   }
 
   void find_contacts() {
@@ -152,7 +162,7 @@ class Finder {
   /// None if it is too small.
   std::uint32_t make_contact(std::uint32_t v, HalfEdge leaving) {
     const Point at = mesh_.points[v];
-    double nearest = 2 * room_.tolerance;
+    double nearest = 4 * room_.sampling;
     HalfEdge h = leaving;
     do {
       const std::uint32_t p = mesh_.target(h), q = mesh_.apex(h);
@@ -184,10 +194,10 @@ class Finder {
   const Room& room_;
   Mesh mesh_;
   Array<Piece> pieces_;
-  Array<HalfEdge> half_edges_;                ///< by piece: from low to high
-  Array<std::int32_t> cover_;                 ///< by triangle
-  Array<std::uint32_t> owner_, contact_;      ///< by vertex
-  Array<bool> on_edge_;                       ///< by vertex
+  Array<HalfEdge> half_edges_;            ///< by piece: from low to high
+  Array<std::int32_t> cover_;             ///< by triangle
+  Array<std::uint32_t> owner_, contact_;  ///< by vertex
+  Array<bool> on_edge_;                   ///< by vertex
   Skeleton skeleton_;
 };
 

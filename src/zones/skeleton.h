@@ -22,7 +22,8 @@ namespace oblast::internal::zoning {
 
 struct Contact {
   Point at;
-  double radius;  ///< a power of two, at most half of epsilon, and a quarter of the distance to what does not meet here
+  double radius;  ///< a power of two, at most Room::sampling, and at most a quarter of the distance to what does not
+                  ///< meet here
 };
 
 /// An edge with a side that is not covered.
@@ -33,16 +34,22 @@ struct FreeEdge {
   std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
 };
 
-/// A strip along a free edge: the quadrilateral low, right, high, left. It lies in the triangles on both sides of the edge, in
-/// the part that is nearer to this edge than to their other sides, and is at most a sixteenth of epsilon wide. A side that
-/// is covered, or too narrow, has no strip: there the tip is the end `low`.
+/// A strip along a free edge, on each of its sides that is not covered: in the triangle on that side, in the third of it
+/// that has this edge, and a sixteenth of epsilon wide at most.
+///
+///     low ------------- high
+///        \ _________ /           first and second, from the edge's ends towards the middle of the triangle
+struct HalfStrip {
+  bool is_there = false;  ///< false also where it would be too narrow for doubles
+  Point first, second;
+};
 struct Strip {
-  Point left, right;
+  HalfStrip left, right;
 };
 
 struct Skeleton {
   LargeArray<FreeEdge> edges;
-  LargeArray<Strip> strips;  ///< by edge
+  LargeArray<Strip> strips;               ///< by edge
   Array<std::uint32_t> object_of_vertex;  ///< the lowest that has an edge there
   Array<Contact> contacts;
   Array<LonePoint> points;  ///< those that no polygon covers and no edge ends at

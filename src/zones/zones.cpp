@@ -21,9 +21,10 @@ using namespace internal;
 using namespace internal::zoning;
 namespace {
 
-/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2, noding
-/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both.
-constexpr double rounding_units = 32;
+/// C in units in the last place of the largest coordinate. A centre is off by 0.71 of a unit, a sample by 2; noding
+/// moves objects and borders by 2 each; a distance that is compared with another one is off by the sum for both; a
+/// check of pieces takes two that are straight within 8 units for one (piece_check.h).
+constexpr double rounding_units = 48;
 
 void check_zone_options(const ZoneOptions& options) {
   const auto refuse = [](const std::string& what) { throw Error(ErrorCode::bad_option, what); };
@@ -69,7 +70,7 @@ class Zones {
       append(std::move(settled.polygons), strands);
       strands.rules.sources = &changes_;
     }
-    add_limits(strands, statistics.overlay);
+    add_limits(strands, statistics);
     Options options;
     options.statistics = &statistics.overlay;
     return keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options, control_,
@@ -87,25 +88,30 @@ class Zones {
     statistics.rounds = sampled.rounds;
     statistics.error = sampled.error;
     noding::Strands strands;
-    append_cell_borders(sampled.diagram, skeleton.contacts, changes_, strands);
+    // Points alone have nothing to flatten: all their borders are straight.
+    const double flattening = skeleton.edges.empty() ? 0 : room_.flattening;
+    append_cell_borders(sampled.diagram, skeleton.contacts, flattening, changes_, strands);
+    statistics.error += 2 * flattening;
     if (append_strips(skeleton, sampled.narrow, strands))
       statistics.error = std::max(statistics.error, room_.tolerance / 16);
     return strands;
   }
 
   /// Edges that may pass through cells of other objects get strips along them, which count as area of their objects. So
-  /// lines lie in their zones exactly, and borders of cells that end at polygons do not move them. True if there are some.
+  /// lines lie in their zones exactly, and borders of cells that end at polygons do not move them. True if there are
+  /// some.
   static bool append_strips(const Skeleton& skeleton, const Array<bool>& narrow, noding::Strands& strands) {
     bool found = false;
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
       const FreeEdge& edge = skeleton.edges[e];
       const Strip& strip = skeleton.strips[e];
-      if (!narrow[e] || (strip.left == edge.low && strip.right == edge.low)) continue;
-      strands.points.push_back(edge.low);
-      if (strip.right != edge.low) strands.points.push_back(strip.right);
-      strands.points.push_back(edge.high);
-      if (strip.left != edge.low) strands.points.push_back(strip.left);
-      strands.points.push_back(edge.low);
+      if (!narrow[e] || (!strip.left.is_there && !strip.right.is_there)) continue;
+      auto& points = strands.points;
+      points.push_back(edge.low);
+      if (strip.right.is_there) points.insert(points.end(), {strip.right.first, strip.right.second});
+      points.push_back(edge.high);
+      if (strip.left.is_there) points.insert(points.end(), {strip.left.second, strip.left.first});
+      points.push_back(edge.low);
       strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
       found = true;
     }
@@ -113,18 +119,18 @@ class Zones {
   }
 
   /// The frame, and how far zones reach.
-  void add_limits(noding::Strands& strands, Statistics& statistics) {
+  void add_limits(noding::Strands& strands, ZoneStatistics& statistics) {
     const std::uint32_t end = static_cast<std::uint32_t>(room_.box_frame.size());
     add_region(room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end, 1}, {}}, frame_source(), strands,
-               statistics);
+               statistics.overlay);
     if (reach_source() == no_feature) return;
     BufferOptions options;
     options.mode = BufferMode::outside;
     options.absolute_tolerance = room_.tolerance;
     BufferStatistics buffered;
-    const PipelineResult reach =
-        buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
-    add_region(reach.regions, reach_source(), strands, statistics);
+    const PipelineResult reach = buffering::zone_of(objects_.shapes, options_.distance, options, control_, buffered);
+    statistics.rounding += buffered.rounding;
+    add_region(reach.regions, reach_source(), strands, statistics.overlay);
   }
 
   void add_region(const RegionView& region, std::uint32_t source, noding::Strands& strands, Statistics& statistics) {

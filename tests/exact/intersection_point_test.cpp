@@ -12,6 +12,7 @@
 
 #include "generators/random.h"
 #include "support/exact_signs.h"
+#include "support/nearest_double.h"
 
 namespace oblast::testing {
 using namespace internal;
@@ -30,25 +31,6 @@ bool meet(const Edges& e) {
   const int c = exact_orientation(e.a, e.b, e.c), d = exact_orientation(e.a, e.b, e.d);
   const int a = exact_orientation(e.c, e.d, e.a), b = exact_orientation(e.c, e.d, e.b);
   return c * d <= 0 && a * b <= 0 && (c != 0 || d != 0) && e.a != e.b && e.c != e.d;
-}
-
-/// The nearest number of the domain; of two equally near the even one; 0 when it is as near as the smallest.
-void expect_nearest(double rounded, const Rational& value) {
-  ASSERT_TRUE(in_domain(rounded));
-  ASSERT_FALSE(rounded == 0 && std::signbit(rounded));
-  const auto neighbour = [&](double towards) {
-    const double next = std::nextafter(rounded, towards);
-    if (in_domain(next)) return next;
-    return rounded == 0 ? std::copysign(domain_smallest, towards) : 0.0;
-  };
-  const Rational distance = abs(Rational(rounded) - value);
-  for (const double other : {neighbour(INFINITY), neighbour(-INFINITY)}) {
-    const Rational other_distance = abs(Rational(other) - value);
-    ASSERT_LE(distance, other_distance) << rounded << " instead of " << other;
-    if (distance != other_distance) continue;
-    const auto odd = [](double x) { return (std::bit_cast<std::uint64_t>(x) & 1) != 0; };
-    ASSERT_FALSE(odd(rounded) || other == 0) << rounded << " instead of " << other;
-  }
 }
 
 bool same_bits(const Point& p, const Point& q) {

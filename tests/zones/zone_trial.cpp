@@ -40,7 +40,7 @@ class Trial {
       if (rows.keys[r] != FeatureKey{r, no_feature}) return ZoneFailure{BrokenZones::rows, "another key"};
 
     const verify::ZoneObjects objects(question_.view());
-    const std::optional<verify::Box> box = question_.frame.points.empty() ? default_box(objects) : std::nullopt;
+    const std::optional<verify::Box> box = question_.frame.points.empty() ? default_box() : std::nullopt;
     const RegionSet frame = box ? rectangle(*box) : question_.frame;
     const verify::JudgedZones zones{objects, frame, rows, rows.keys};
     const bool is_whole = std::isinf(options_.distance);
@@ -50,6 +50,7 @@ class Trial {
 
     verify::ZoneDistanceBounds bounds;
     bounds.epsilon = statistics_.error + statistics_.rounding;
+    bounds.thin = statistics_.rounding;
     bounds.places = trial_.places;
     bounds.seed = trial_.seed;
     if (!is_whole) {
@@ -60,7 +61,7 @@ class Trial {
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
       return ZoneFailure{BrokenZones::nearness, fault->what};
     note(cover, distances);
-    if (auto what = fault_of_statistics(objects); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
+    if (auto what = fault_of_statistics(); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
     if (!trial_.voronoi || !box || !question_.has_points_only() || !question_.point_rows.empty() || !is_whole)
       return {};
     if (const auto fault = verify::check_voronoi(question_.points, *box, rows, statistics_.rounding))
@@ -68,18 +69,23 @@ class Trial {
     return {};
   }
 
-  static verify::Box box_of(const verify::ZoneObjects& objects) {
+  /// The box of all points that are given.
+  verify::Box box_of_all() const {
     verify::Box box;
-    for (const auto& e : objects.edges) box.add(e.box());
+    for (const auto* points : {&question_.regions.points, &question_.line_points, &question_.points})
+      for (const Point& p : *points) box.add(verify::Box(p, p));
     return box;
   }
 
   /// The frame of a call without one, as zones() states it.
-  std::optional<verify::Box> default_box(const verify::ZoneObjects& objects) const {
-    verify::Box box = box_of(objects);
+  std::optional<verify::Box> default_box() const {
+    verify::Box box = box_of_all();
     if (box.empty()) return std::nullopt;
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    const double margin = std::isinf(options_.distance) ? side / 10 : 1.5 * options_.distance;
+    const double largest =
+        std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    double margin = side > 0 ? side / 10 : std::max(1.0, std::ldexp(largest, -20));
+    if (!std::isinf(options_.distance)) margin = std::max(1.5 * options_.distance, std::ldexp(largest, -40));
     box.low = {box.low.x - margin, box.low.y - margin};
     box.high = {box.high.x + margin, box.high.y + margin};
     return box;
@@ -89,12 +95,13 @@ class Trial {
     return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {4}, {1}};
   }
 
-  std::string fault_of_statistics(const verify::ZoneObjects& objects) const {
-    const verify::Box box = box_of(objects);
+  std::string fault_of_statistics() const {
+    const verify::Box box = box_of_all();
     if (box.empty()) return {};
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const double asked = options_.tolerance > 0 ? options_.tolerance : side * options_.relative_tolerance;
-    if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding)) return "the tolerance is larger than what was asked for";
+    if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding))
+      return "the tolerance is larger than what was asked for";
     if (statistics_.error > statistics_.tolerance) return "the error is above the tolerance";
     if (question_.has_points_only() && statistics_.error != 0) return "points have an error";
     return {};
