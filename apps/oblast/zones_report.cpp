@@ -29,8 +29,8 @@ nlohmann::ordered_json ZonesReport::to_json() const {
 
 std::string ZonesReport::to_text() const {
   const ZoneStatistics& s = statistics;
-  std::string text = fmt::format("  nearest   up to {:.2g} {} of distance, and {:.2g} {} for rounding, in {}\n", s.error,
-                                 unit, s.rounding, unit, crs);
+  std::string text = fmt::format("  nearest   up to {:.2g} {} of distance, and {:.2g} {} for rounding, in {}\n",
+                                 s.error, unit, s.rounding, unit, crs);
   text += fmt::format("  objects   {}, as {} in {}\n", counted(objects, "object"), counted(s.sites, "site"),
                       counted(s.rounds, "round"));
   return text;

@@ -1,5 +1,5 @@
-// Boost.Polygon's Voronoi diagram. It wants 32-bit integers, so points are scaled to them and rounded, and cells are scaled
-// back. Arguments as in shape_file.h, of which distance and segments are not used.
+// Boost.Polygon's Voronoi diagram. It wants 32-bit integers, so points are scaled to them and rounded, and cells are
+// scaled back. Arguments as in shape_file.h, of which distance and segments are not used.
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// CGAL: the Delaunay triangulation with exact predicates; cells are the circumcentres around each vertex. Arguments as in
-// shape_file.h, of which distance and segments are not used.
+// CGAL: the Delaunay triangulation with exact predicates; cells are the circumcentres around each vertex. Arguments as
+// in shape_file.h, of which distance and segments are not used.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -1,4 +1,5 @@
-// Colours for rows: by the value of a column, safe for colour-blind readers, with a legend; or so that neighbours differ.
+// Colours for rows: by the value of a column, safe for colour-blind readers, with a legend; or so that neighbours
+// differ.
 #pragma once
 
 #include <oblast/features.h>
@@ -19,8 +20,8 @@ std::vector<PictureClass> classes_by_number(const FeatureView& rows, std::span<c
 /// one class for all others. REQUIRES: one text for each row.
 std::vector<PictureClass> classes_by_text(const FeatureView& rows, std::span<const std::string> texts);
 
-/// Pale classes such that rows with a common border have different colours, if seven are enough. Each row gets the first
-/// colour that no neighbour before it has. Only the last class has the label.
+/// Pale classes such that rows with a common border have different colours, if seven are enough. Each row gets the
+/// first colour that no neighbour before it has. Only the last class has the label.
 std::vector<PictureClass> classes_by_neighbours(const FeatureView& rows, const std::string& label);
 
 }  // namespace oblast::io
