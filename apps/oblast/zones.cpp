@@ -31,7 +31,8 @@ Borders are as exact as --tolerance says: at any place of a zone no other object
 by more. Of points they are exact, up to rounding. With --distance, zones end there.
 
 Longitudes and latitudes have no unit of length: with `--crs auto` such a layer is computed
-in a projected system that fits it, and comes back in longitudes and latitudes.
+in a projected system that fits it, and comes back in longitudes and latitudes. Edges are
+straight in that system, so cut very long ones first.
 
 Example: which school is the nearest, in each place of the city
   oblast zones schools.gpkg --within city.gpkg -o served.gpkg --area m2
