@@ -31,7 +31,8 @@ struct ZoneOptions : CallOptions {
   double tolerance = 0;              ///< epsilon in units of the coordinates; 0: `relative_tolerance` decides
   double relative_tolerance = 1e-5;  ///< epsilon by the larger side of the box of all objects, from 1e-12 to 0.1
   /// How far a zone may reach from its object. If it is finite, zones end where no object is within the distance: they
-  /// hold every place up to it, and none further than it plus epsilon plus C.
+  /// hold every place that is nearer, less C, and none that is further by more than twice epsilon and C. (Epsilon counts
+  /// as a billionth of the distance here if that is more.)
   double distance = std::numeric_limits<double>::infinity();
   ZoneStatistics* statistics = nullptr;
 };
@@ -48,13 +49,15 @@ struct ZoneOptions : CallOptions {
 /// their borders bit for bit, as promise G8 says.
 /// Containment (Z2): each object lies in its own zone, as far as it is in the frame. Where polygons overlap, the lower
 /// number has the place. Lines and points within a polygon of another object, and points on its outline or on a line,
-/// do not count: they have no area to give to a zone. Of equal lines and points the lower number counts. So the zone of
-/// an object that others cover is empty.
+/// do not count: they have no area to give to a zone. Where lines coincide with each other or with outlines, and of equal
+/// points, the lower number counts. So the zone of an object that others cover is empty. (Exactly but for edges that are
+/// cut at places that are no doubles: these may have moved by C.)
 /// Nearness (Z3): at every place of zone i, the distance from object i is at most the distance from any other object
 /// plus ZoneStatistics::error plus C. For points alone, vertices are circumcentres, correctly rounded.
 /// Objects that touch share the places that are as near to one as to the other: they are parted by the bisector.
 ///
-/// Edges of no length count as nothing: a line of equal points is a point, and a polygon without area is left out.
+/// Edges of no length count as nothing: a line of equal points is a point, and a polygon without area is left out. So may
+/// be parts of polygons that are thinner than C, which rounding may close.
 /// Objects outside of the frame have the part of their zone that is in the frame.
 /// The result is canonical, and the same on every machine (promises G3, G3b). It does not depend on the order of shapes
 /// within rows.

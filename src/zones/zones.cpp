@@ -106,12 +106,14 @@ class Zones {
       const FreeEdge& edge = skeleton.edges[e];
       const Strip& strip = skeleton.strips[e];
       if (!narrow[e] || (!strip.left.is_there && !strip.right.is_there)) continue;
-      auto& points = strands.points;
-      points.push_back(edge.low);
-      if (strip.right.is_there) points.insert(points.end(), {strip.right.first, strip.right.second});
-      points.push_back(edge.high);
-      if (strip.left.is_there) points.insert(points.end(), {strip.left.second, strip.left.first});
-      points.push_back(edge.low);
+      const auto add = [&](const Point& p) {
+        if (strands.points.back() != p) strands.points.push_back(p);
+      };
+      strands.points.push_back(edge.low);
+      if (strip.right.is_there) add(strip.right.first), add(strip.right.second);
+      add(edge.high);
+      if (strip.left.is_there) add(strip.left.second), add(strip.left.first);
+      add(edge.low);
       strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
       found = true;
     }

@@ -55,7 +55,8 @@ class Trial {
     bounds.seed = trial_.seed;
     if (!is_whole) {
       bounds.lower = options_.distance - statistics_.rounding;
-      bounds.upper = options_.distance + statistics_.tolerance + statistics_.rounding;
+      bounds.upper =
+          options_.distance + 2 * (std::max(statistics_.tolerance, 1e-9 * options_.distance) + statistics_.rounding);
     }
     verify::ZoneDistanceMeasures distances;
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
