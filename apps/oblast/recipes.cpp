@@ -53,9 +53,9 @@ Longitudes and latitudes have no metres: compute in a projected system, and come
 
 ## Which one is the nearest (zones)
 
-To which school each place of a region is nearest:
+The places to which each school is the nearest one, within the regions:
 
-    oblast zones schools.geojson --within regions.gpkg --where-within "name = 'Picardie'" --area m2 -o served.gpkg
+    oblast zones schools.geojson --within regions.gpkg --area m2 -o served.gpkg
 
 The land around each parcel, at most 5 m from it, with a picture:
 

@@ -91,7 +91,7 @@ TEST_F(Recipes, GiveWhatTheySay) {
         "use_1=null use_2=town area=1"}},
       {"inner", {"id=1 area=400", "id=2 area=0"}},
       {"bank", {"name=Oise area=2000"}},
-      {"served", {"school=east m2=8 area=8", "school=west m2=8 area=8"}},
+      {"served", {"school=east m2=8 area=8", "school=west m2=12 area=12"}},
       {"change", {"use_1=forest use_2=field m2=1 area=1"}},
       {"new", {"polygon=0 area=1"}},
       {"gone", {"polygon=0 area=3"}},
