@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "oblast/plane_choice.h"
+
 namespace oblast::app {
 
 namespace {
@@ -102,10 +104,7 @@ CLI::App* add_buffer_options(CLI::App& program, BufferArguments& arguments, Invo
       ->type_name("D");
   add_shape_options(*command, *a);
   command->add_flag("--by-feature", a->by_feature, "a row for each feature, with its attributes (default: one row)");
-  command
-      ->add_option("--crs", a->crs,
-                   "compute in this projected coordinate system and come back: EPSG:N, or `auto` for one that fits")
-      ->type_name("CRS");
+  command->add_option("--crs", a->crs, plane_help)->type_name("CRS");
   add_row_options(*command, a->rows, Select::columns);
   add_file_options(*command, a->job, invocation);
   command->remove_option(command->get_option("--minimal"));

@@ -5,6 +5,7 @@
 
 #include "io/rows.h"
 #include "oblast/buffer_distance.h"
+#include "oblast/plane_choice.h"
 
 namespace oblast::app {
 
@@ -17,13 +18,7 @@ struct BufferPlan {
 /// `crs` is a word for a projected system, "auto" or empty. Throws CallError.
 BufferPlan buffer_plan(const std::string& distance, const std::string& tolerance, const std::string& crs);
 
-struct PlaneChoice {
-  std::string crs_wkt;  ///< empty: the system of the layer
-  std::string note;     ///< for the user; may be empty
-};
-
-/// The system to compute in. Throws CallError where lengths cannot be measured, with what to do; IoError as
-/// io::suitable_crs and `distances`.
+/// The system to compute in. Throws as choose_plane(layer, query) and `distances`.
 PlaneChoice choose_plane(const BufferPlan& plan, const io::Rows& rows);
 
 }  // namespace oblast::app

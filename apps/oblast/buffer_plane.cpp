@@ -109,4 +109,15 @@ FeatureSet BufferPlane::back(FeatureSet zones, const CallOptions& options) const
   return repair(zones, repaired).features;
 }
 
+// Shared vertices move together, so the rows still cover every place between them an odd number of times: there is
+// nothing to close.
+FeatureSet BufferPlane::coverage_back(FeatureSet zones, const CallOptions& options) const {
+  if (!is_other()) return zones;
+  move_back(zones.regions.points);
+  check_turns(zones.regions);
+  CoverageRepairOptions repaired;
+  static_cast<CallOptions&>(repaired) = options;
+  return repair_coverage(zones, repaired).features;
+}
+
 }  // namespace oblast::app

@@ -1,4 +1,4 @@
-// Where a buffer is computed: in the coordinates of the layer, or in those of another system and back.
+// Where zones are computed: in the coordinates of the layer, or in those of another system and back.
 #pragma once
 
 #include <oblast/buffer.h>
@@ -32,6 +32,9 @@ class BufferPlane {
   /// holds a pole.
   RegionSet back(RegionSet zone, const CallOptions& options) const;
   FeatureSet back(FeatureSet zones, const CallOptions& options) const;
+  /// The same of rows that do not overlap, which then do not overlap either: all are resolved together. Places that
+  /// several rows would cover go to the first.
+  FeatureSet coverage_back(FeatureSet zones, const CallOptions& options) const;
 
  private:
   void move_back(std::vector<Point>& points) const;

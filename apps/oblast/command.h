@@ -34,6 +34,7 @@ void add_dissolve(CLI::App& program, Invocation& invocation);
 void add_depth(CLI::App& program, Invocation& invocation);
 void add_partition(CLI::App& program, Invocation& invocation);
 void add_buffer(CLI::App& program, Invocation& invocation);
+void add_zones(CLI::App& program, Invocation& invocation);
 void add_repair(CLI::App& program, Invocation& invocation);
 void add_check(CLI::App& program, Invocation& invocation);
 void add_triangulate(CLI::App& program, Invocation& invocation);

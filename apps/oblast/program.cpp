@@ -115,6 +115,7 @@ int run_program(int argc, char** argv) {
   add_depth(program, invocation);
   add_partition(program, invocation);
   add_buffer(program, invocation);
+  add_zones(program, invocation);
   add_repair(program, invocation);
   add_check(program, invocation);
   add_triangulate(program, invocation);

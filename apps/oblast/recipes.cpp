@@ -51,6 +51,16 @@ Longitudes and latitudes have no metres: compute in a projected system, and come
 
     oblast buffer stops.geojson --distance 0.5km --crs auto -o walk.geojson
 
+## Which one is the nearest (zones)
+
+The places to which each school is the nearest one, within the regions:
+
+    oblast zones schools.geojson --within regions.gpkg --area m2 -o served.gpkg
+
+The land around each parcel, at most 5 m from it, with a picture:
+
+    oblast zones parcels.gpkg --distance 5m -o around.gpkg --svg around.svg
+
 ## Find overlaps in a layer that should have none
 
 The places that two or more features cover:

@@ -152,7 +152,11 @@ void RowJob::draw_rows(const FeatureView& rows, const ResultColumns& columns, co
     drawn.classes = colour_classes(rows, *column);
     drawn.result = {};
     if (colour != drawn.operation) drawn.operation += " by " + colour;  // not "depth by depth"
+  } else if (!picture.classes.empty()) {
+    drawn.classes = picture.classes;
+    drawn.result = {};
   }
+  drawn.classes.insert(drawn.classes.end(), picture.over.begin(), picture.over.end());
   draw(drawn, arguments_.picture, write_options(arguments_.output).existing);
 }
 

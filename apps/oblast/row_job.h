@@ -1,5 +1,5 @@
-// The common part of the commands whose results are rows: `overlay`, `dissolve`, `depth`, `partition`, `repair` and
-// `buffer`.
+// The common part of the commands whose results are rows: `overlay`, `dissolve`, `depth`, `partition`, `repair`,
+// `buffer` and `zones`.
 #pragma once
 
 #include <oblast/features.h>
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "io/picture.h"
 #include "io/row_columns.h"
 #include "io/rows.h"
 #include "oblast/console.h"
@@ -32,8 +33,10 @@ struct RowArguments {
 
 /// What a picture of rows shows.
 struct RowPicture {
-  std::string operation;  ///< for the title
-  std::string colour;     ///< the column by which it is coloured, if none is given; empty: by none
+  std::string operation;                       ///< for the title
+  std::string colour;                          ///< the column by which it is coloured, if none is given; empty: by none
+  std::vector<io::PictureClass> classes = {};  ///< how it is coloured if there is no such column
+  std::vector<io::PictureClass> over = {};     ///< what is drawn over these classes
 };
 
 enum class Select { columns, none };

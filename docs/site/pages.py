@@ -23,6 +23,7 @@ HEADERS = [
     "check_features",
     "repair",
     "buffer",
+    "zones",
     "hull",
     "triangulate",
     "locator",

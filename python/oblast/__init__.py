@@ -6,7 +6,7 @@
 >>> oblast.overlay(a, b, "union").area
 7.0
 
-`oblast.geopandas` has overlay, dissolve, union_all, clip and buffer with geopandas' signatures.
+`oblast.geopandas` has overlay, dissolve, union_all, clip and buffer with geopandas' signatures, and zones of frames.
 """
 
 from oblast import _core
@@ -37,6 +37,7 @@ from oblast._rows import (
     partition,
 )
 from oblast._settings import Statistics, Workspace, statistics
+from oblast._zones import Zones, zones
 
 __version__: str = _core.version
 
@@ -55,6 +56,7 @@ __all__ = [
     "Statistics",
     "Triangulation",
     "Workspace",
+    "Zones",
     "buffer",
     "check",
     "clip",
@@ -78,4 +80,5 @@ __all__ = [
     "triangulate",
     "union",
     "union_all",
+    "zones",
 ]

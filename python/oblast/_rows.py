@@ -219,7 +219,7 @@ def partition(
     return Partition(Regions._of(rows), offsets, layer, row)
 
 
-def _rectangle(window: Any) -> Regions | None:
+def rectangle_of(window: Any) -> Regions | None:
     """The rectangle of four numbers, or None if it is something else."""
     if not isinstance(window, Sequence | np.ndarray) or isinstance(window, bytes) or len(window) != 4:
         return None
@@ -259,7 +259,7 @@ def clip(
     >>> oblast.clip(a, (1, -1, 5, 5)).bounds
     (1.0, 0.0, 2.0, 2.0)
     """
-    regions, rectangle = regions_of(a), _rectangle(window)
+    regions, rectangle = regions_of(a), rectangle_of(window)
     if rectangle is not None:
         rows = np.arange(len(regions))
         return overlay_pairs(

@@ -1,4 +1,4 @@
-"""Regions, lines and points: what `buffer` takes."""
+"""Regions, lines and points: what `buffer` and `zones` take."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from oblast._convert import Operand, geometry_array, is_sequence_of, regions_of
 from oblast._regions import Regions
 from oblast._z import ZRule, z_left_out
 
-__all__ = ["Shapes", "shapes_of"]
+__all__ = ["Shapes", "no_shapes", "points_of", "shapes_of"]
 
 _POINT, _LINE, _RING, _POLYGON = 0, 1, 2, 3
 _FIRST_OF_SEVERAL = 4
@@ -39,8 +39,20 @@ def shapes_of(given: Operand, z: ZRule = "warn") -> Shapes:
     if _has_geometries(column):
         return of_shapely(np.atleast_1d(np.asarray(column, dtype=object)).ravel(), z)
     regions = regions_of(given)
-    nothing = _rows_of_parts(np.empty((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64), len(regions))
+    nothing = no_shapes(len(regions))
     return Shapes(regions, nothing, nothing)
+
+
+def no_shapes(rows: int) -> Regions:
+    """Rows without shapes."""
+    return _rows_of_parts(np.empty((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64), rows)
+
+
+def points_of(coordinates: npt.NDArray[Any]) -> Shapes:
+    """Points, each a row; an array of float64 is viewed."""
+    points = np.ascontiguousarray(coordinates, dtype=np.float64)
+    nothing, each = no_shapes(len(points)), np.arange(len(points) + 1, dtype=np.int32)
+    return Shapes(nothing, nothing, Regions._of(_core.arrays(points, each, each, each)))
 
 
 def _has_geometries(column: Any) -> bool:

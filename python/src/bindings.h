@@ -20,6 +20,7 @@ void bind_settings(nb::module_& module);
 void bind_overlays(nb::module_& module);
 void bind_rows(nb::module_& module);
 void bind_buffer(nb::module_& module);
+void bind_zones(nb::module_& module);
 void bind_pairs(nb::module_& module);
 void bind_locator(nb::module_& module);
 void bind_wkb(nb::module_& module);

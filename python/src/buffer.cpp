@@ -6,6 +6,7 @@
 
 #include "bindings.h"
 #include "call.h"
+#include "shapes.h"
 
 namespace oblast::python {
 
@@ -34,25 +35,6 @@ BufferOptions options_of(const BufferShape& shape, const Settings& settings, con
   options.absolute_tolerance = shape.absolute_tolerance;
   if (settings.options.statistics) options.statistics = &statistics;
   return options;
-}
-
-// Of each ring, in order: its row.
-std::vector<std::uint32_t> rows_of_rings(const Arrays& arrays) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t row = 0; row < arrays.row_count(); ++row)
-    rows.resize(arrays.polygon_offsets[arrays.row_offsets[row + 1]], row);
-  return rows;
-}
-
-std::vector<std::uint32_t> rows_of_polygons(const Arrays& arrays) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t row = 0; row < arrays.row_count(); ++row) rows.resize(arrays.row_offsets[row + 1], row);
-  return rows;
-}
-
-// A line is a ring of `lines`, and a point is a ring of `points`, so that errors find their rows.
-ShapeView shapes_of(const Arrays& regions, const Arrays& lines, const Arrays& points) {
-  return {regions.regions(), {lines.points, lines.ring_offsets.subspan(1)}, points.points};
 }
 
 Arrays buffer_of(const Arrays& regions, const Arrays& lines, const Arrays& points, double distance,

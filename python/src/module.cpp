@@ -31,6 +31,7 @@ NB_MODULE(_core, module) {
   bind_overlays(module);
   bind_rows(module);
   bind_buffer(module);
+  bind_zones(module);
   bind_pairs(module);
   bind_locator(module);
   bind_wkb(module);

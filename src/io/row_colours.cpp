@@ -6,12 +6,15 @@
 #include <cmath>
 #include <map>
 
+#include "io/row_neighbours.h"
+
 namespace oblast::io {
 namespace {
 
 constexpr const char* from_light_to_dark[] = {"#fac62d", "#f8850f", "#e45a31", "#bc3754",
                                               "#8a226a", "#56106e", "#210c4a"};
 constexpr const char* distinct[] = {"#e69f00", "#56b4e9", "#009e73", "#f0e442", "#0072b2", "#d55e00", "#cc79a7"};
+constexpr const char* pale[] = {"#cfe3b4", "#f6d5a8", "#bcd8ea", "#f2bfc4", "#fbf3b9", "#d6c8e6", "#dcdcd2"};
 constexpr const char* colour_of_others = "#bbbbbb";
 constexpr std::size_t most_classes = std::size(distinct);
 constexpr std::size_t longest_label = 24;
@@ -84,6 +87,26 @@ std::vector<PictureClass> classes_by_text(const FeatureView& rows, std::span<con
     const auto it = class_of.find(texts[row]);
     append_row(rows, row, classes[it == class_of.end() ? most_classes : it->second].regions);
   }
+  return classes;
+}
+
+std::vector<PictureClass> classes_by_neighbours(const FeatureView& rows, const std::string& label) {
+  // Pairs ascend by their smaller row; here each row needs those before it.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = neighbours_of(rows);
+  std::sort(pairs.begin(), pairs.end(), [](const auto& p, const auto& q) { return p.second < q.second; });
+  std::vector<std::size_t> colour_of_row(rows.feature_count());
+  std::vector<PictureClass> classes;
+  auto pair = pairs.begin();
+  for (std::uint32_t row = 0; row < rows.feature_count(); ++row) {
+    bool taken[std::size(pale)] = {};
+    for (; pair != pairs.end() && pair->second == row; ++pair) taken[colour_of_row[pair->first]] = true;
+    if (rows.feature_begin(row) == rows.feature_end(row)) continue;
+    const auto first = static_cast<std::size_t>(std::find(taken, std::end(taken) - 1, false) - taken);
+    colour_of_row[row] = first;
+    while (classes.size() <= first) classes.push_back({{}, pale[classes.size()], ""});
+    append_row(rows, row, classes[first].regions);
+  }
+  if (!classes.empty()) classes.back().label = label;
   return classes;
 }
 

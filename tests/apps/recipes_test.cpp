@@ -30,6 +30,11 @@ class Recipes : public ::testing::Test {
     layer("parcels", {square(0, 40, R"("id":1)"), square(50, 20, R"("id":2)")});
     line_layer("roads", R"("name":"A1")", "[[0,0],[10000,0]]");
     line_layer("rivers", R"("name":"Oise")", "[[0,0],[100,0]]");
+    const auto school = [](const std::string& name, const std::string& at) {
+      return R"({"type":"Feature","properties":{"school":")" + name +
+             R"("},"geometry":{"type":"Point","coordinates":)" + at + "}}";
+    };
+    write_layer(folder_ / "schools.geojson", {school("east", "[5,2]"), school("west", "[3,2]")});
     write_file(folder_ / "stops.geojson",
                R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[3,50]}})");
     fs::create_directory(folder_ / "fires");
@@ -86,6 +91,7 @@ TEST_F(Recipes, GiveWhatTheySay) {
         "use_1=null use_2=town area=1"}},
       {"inner", {"id=1 area=400", "id=2 area=0"}},
       {"bank", {"name=Oise area=2000"}},
+      {"served", {"school=east m2=8 area=8", "school=west m2=12 area=12"}},
       {"change", {"use_1=forest use_2=field m2=1 area=1"}},
       {"new", {"polygon=0 area=1"}},
       {"gone", {"polygon=0 area=3"}},
@@ -95,7 +101,7 @@ TEST_F(Recipes, GiveWhatTheySay) {
   };
   const std::string page = oblast_program({"help", "recipes"}).out;
   const std::vector<std::string> commands = commands_of(page);
-  EXPECT_EQ(commands.size(), expected.size() + 4);  // two of them check, and two zones have round ends
+  EXPECT_EQ(commands.size(), expected.size() + 5);  // two of them check, and three zones have round ends
   for (const std::string& line : commands) run(line);
   for (const auto& [name, rows] : expected) {
     EXPECT_TRUE(contains(page, "-o " + name + ".gpkg")) << name;
@@ -105,6 +111,9 @@ TEST_F(Recipes, GiveWhatTheySay) {
   const double road = 10000 * 1000 + 3.14159265 * 500 * 500;
   EXPECT_NEAR(area_of(folder_.path("near.gpkg")), road, 0.02 * road);
   EXPECT_EQ(rows_of(folder_.path("walk.geojson")).rows.size(), 1u);
+  const double around = 50 * 50 + 30 * 30 - 2 * (100 - 3.14159265 * 25);
+  EXPECT_NEAR(area_of(folder_.path("around.gpkg")), around, 0.1);
+  EXPECT_TRUE(contains(read_file(folder_ / "around.svg"), "zones of parcels.gpkg"));
 }
 
 TEST(RecipesPage, IsThePageInTheDocuments) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/row_neighbours.h"
+
 namespace oblast::io {
 namespace {
 
@@ -66,7 +68,43 @@ TEST(RowColours, RareTextsShareAClass) {
   EXPECT_EQ(classes[7].regions.polygon_ends.size(), 4U);
 }
 
+/// A board of unit squares, a row each.
+Rows board(int width, int height) {
+  Rows rows(std::vector<int>(static_cast<std::size_t>(width * height), 1));
+  for (std::size_t p = 0; p < rows.ends.size(); ++p) {
+    const auto column = static_cast<double>(static_cast<int>(p) % width),
+               line = static_cast<double>(static_cast<int>(p) / width);
+    const Point corners[] = {{column, line}, {column + 1, line}, {column + 1, line + 1}, {column, line + 1}};
+    std::copy(corners, corners + 4, rows.regions.points.begin() + static_cast<std::ptrdiff_t>(4 * p));
+  }
+  return rows;
+}
+
+TEST(RowColours, NeighboursDiffer) {
+  const Rows rows = board(5, 4);
+  const auto pairs = neighbours_of(rows);
+  EXPECT_EQ(pairs.size(), 31U) << "corners do not count";
+  EXPECT_EQ(pairs.front(), std::pair(0U, 1U));
+  EXPECT_EQ(pairs.back(), std::pair(18U, 19U));
+  const auto classes = classes_by_neighbours(rows, "zones");
+  EXPECT_EQ(labels(classes), (std::vector<std::string>{"", "zones"})) << "as a chess board";
+  for (const PictureClass& c : classes) {
+    EXPECT_EQ(c.regions.polygon_ends.size(), 10U);
+    for (std::size_t p = 0; p < 10; ++p) {
+      const Point corner = c.regions.points[4 * p];
+      EXPECT_EQ(static_cast<int>(corner.x + corner.y) % 2 == 0, &c == classes.data());
+    }
+  }
+}
+
+TEST(RowColours, ARowDoesNotNeighbourItself) {
+  const Rows two = board(2, 1);
+  const std::uint32_t ends[] = {2};
+  EXPECT_TRUE(neighbours_of({two.regions, ends}).empty());
+}
+
 TEST(RowColours, NothingHasNoClass) {
+  EXPECT_TRUE(classes_by_neighbours(Rows({}), "zones").empty());
   EXPECT_TRUE(classes_by_number(Rows({}), {}).empty());
   EXPECT_TRUE(classes_by_text(Rows({}), {}).empty());
 }

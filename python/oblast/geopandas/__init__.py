@@ -1,5 +1,7 @@
 """A drop-in for geopandas: overlay, dissolve, union_all, clip and buffer with its signatures and semantics.
 
+And `zones` of the rows of a frame; `morphological_tessellation` and `enclosed_tessellation` have momepy's signatures.
+
 >>> from oblast import geopandas as og
 >>> import geopandas, shapely
 >>> a = geopandas.GeoDataFrame({"name": ["a"]}, geometry=[shapely.box(0, 0, 2, 2)])
@@ -15,5 +17,18 @@ from oblast.geopandas._clip import clip
 from oblast.geopandas._dissolve import dissolve, union_all
 from oblast.geopandas._install import Installed, install, uninstall
 from oblast.geopandas._overlay import overlay
+from oblast.geopandas._zones import enclosed_tessellation, morphological_tessellation, zones
 
-__all__ = ["Installed", "buffer", "clip", "dissolve", "install", "overlay", "uninstall", "union_all"]
+__all__ = [
+    "Installed",
+    "buffer",
+    "clip",
+    "dissolve",
+    "enclosed_tessellation",
+    "install",
+    "morphological_tessellation",
+    "overlay",
+    "uninstall",
+    "union_all",
+    "zones",
+]
