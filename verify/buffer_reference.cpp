@@ -29,15 +29,11 @@ class Sums {
       if (across(i) > across(leftmost)) leftmost = i;
       if (across(i) < across(rightmost)) rightmost = i;
     }
-    // Around b from the corner furthest to the right to the one furthest to the left, then around a.
-    for (int i = rightmost;; i = (i + 1) % sides) {
-      sums_.points.push_back({b.x + corners[i].x, b.y + corners[i].y});
-      if (i == leftmost) break;
-    }
-    for (int i = leftmost;; i = (i + 1) % sides) {
-      sums_.points.push_back({a.x + corners[i].x, a.y + corners[i].y});
-      if (i == rightmost) break;
-    }
+    // Around b from the corner furthest to the right to the one furthest to the left, then on around a. Of a point all
+    // corners are as far to either side.
+    if (a == b) leftmost = rightmost;
+    add_corners(b, corners, rightmost, (leftmost - rightmost + sides) % sides);
+    add_corners(a, corners, leftmost, (rightmost - leftmost + sides - 1) % sides + 1);
     sums_.contour_ends.push_back(static_cast<std::uint32_t>(sums_.points.size()));
     sums_.polygon_ends.push_back(static_cast<std::uint32_t>(sums_.contour_ends.size()));
   }
@@ -53,6 +49,14 @@ class Sums {
   Operand operand() const { return {sums_, FillRule::polygons()}; }
 
  private:
+  /// `steps` and one more.
+  void add_corners(const Point& around, std::span<const Point> corners, int first, int steps) {
+    for (int k = 0; k <= steps; ++k) {
+      const Point& corner = corners[static_cast<std::size_t>((first + k) % sides)];
+      sums_.points.push_back({around.x + corner.x, around.y + corner.y});
+    }
+  }
+
   double radius_;
   RegionSet sums_;
 };

@@ -18,8 +18,8 @@ namespace oblast::verify {
 std::vector<std::vector<RationalPoint>> voronoi_cells(std::span<const Point> points, const Box& box);
 
 /// Whether row i is the cell of point i with its vertices rounded: those within the box bit for bit; those on its
-/// boundary, and those that are so near to another vertex of a cell, within `tolerance`. Further vertices of the row must
-/// be as near to edges of the cell.
+/// boundary, and those that are so near to another vertex of a cell, within `tolerance`. Further vertices of the row
+/// must be as near to edges of the cell.
 std::optional<Fault> check_voronoi(std::span<const Point> points, const Box& box, const FeatureView& rows,
                                    double tolerance);
 

@@ -16,8 +16,8 @@ namespace oblast::io {
 
 namespace {
 
-// librsvg and cairo bring 30 libraries with them, which take a quarter of the start of the program to load. Few commands
-// draw a PNG, so they are loaded when one does.
+// librsvg and cairo bring 30 libraries with them, which take a quarter of the start of the program to load. Few
+// commands draw a PNG, so they are loaded when one does.
 class Libraries {
  public:
   bool are_loaded() const { return handle_ && loaded_; }

@@ -44,6 +44,15 @@ TEST(BufferReference, RightZonesPass) {
   EXPECT_FALSE(check_inner_references(c.zone(-1), {c.regions, {}}, bounds_of(1)));
 }
 
+TEST(BufferReference, PointsAreShapes) {
+  const Point p{3, 4};
+  const ZoneOf shapes{{}, {{p, p}}};
+  const RegionSet zone = buffer({{}, {}, {&p, 1}}, 1);
+  EXPECT_FALSE(check_references(zone, shapes, bounds_of(1)));
+  EXPECT_TRUE(check_references({}, shapes, bounds_of(1)));
+  EXPECT_TRUE(check_references(buffer({{}, {}, {&p, 1}}, 1.2), shapes, bounds_of(1)));
+}
+
 TEST(BufferReference, EveryContourIsMissed) {
   const Case c;
   const RegionSet zone = c.zone(1);
