@@ -29,17 +29,21 @@ struct Frame {
   }
 };
 
-/// The part of a convex ring on one side of a line: Sutherland and Hodgman. `over` is positive outside.
+/// The part of a convex ring on one side of a line of the frame: Sutherland and Hodgman. `over` is positive outside,
+/// and a new point gets the coordinate of the line.
 template <class Over>
-void cut(std::vector<Xy>& ring, const Over& over) {
+void cut(std::vector<Xy>& ring, const Over& over, double Xy::*coordinate, double line) {
   std::vector<Xy> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Xy &a = ring[i], &b = ring[i + 1 == ring.size() ? 0 : i + 1];
     const double at_a = over(a), at_b = over(b);
     if (at_a <= 0) kept.push_back(a);
     if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) {
-      const double share = at_a / (at_a - at_b);
-      kept.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+      // From the outer end, so that the cells on both sides of the edge get the same point.
+      const Xy &out = at_a > 0 ? a : b, &in = at_a > 0 ? b : a;
+      const double share = std::max(at_a, at_b) / (std::max(at_a, at_b) - std::min(at_a, at_b));
+      Xy& made = kept.emplace_back(Xy{out.x + share * (in.x - out.x), out.y + share * (in.y - out.y)});
+      made.*coordinate = line;
     }
   }
   ring = std::move(kept);
@@ -48,10 +52,14 @@ void cut(std::vector<Xy>& ring, const Over& over) {
 /// Adds a cell as a polygon.
 inline void add_cell(std::vector<Xy>& ring, const Frame& frame, buffers::Shapes& cells) {
   if (!std::all_of(ring.begin(), ring.end(), [&](const Xy& p) { return frame.holds(p); })) {
-    cut(ring, [&](const Xy& p) { return frame.x0 - p.x; });
-    cut(ring, [&](const Xy& p) { return p.x - frame.x1; });
-    cut(ring, [&](const Xy& p) { return frame.y0 - p.y; });
-    cut(ring, [&](const Xy& p) { return p.y - frame.y1; });
+    cut(
+        ring, [&](const Xy& p) { return frame.x0 - p.x; }, &Xy::x, frame.x0);
+    cut(
+        ring, [&](const Xy& p) { return p.x - frame.x1; }, &Xy::x, frame.x1);
+    cut(
+        ring, [&](const Xy& p) { return frame.y0 - p.y; }, &Xy::y, frame.y0);
+    cut(
+        ring, [&](const Xy& p) { return p.y - frame.y1; }, &Xy::y, frame.y1);
   }
   cells.add_ring(ring);
   cells.end_polygon();

@@ -17,7 +17,8 @@ from oblast.geopandas._clip import clip
 from oblast.geopandas._dissolve import dissolve, union_all
 from oblast.geopandas._install import Installed, install, uninstall
 from oblast.geopandas._overlay import overlay
-from oblast.geopandas._zones import enclosed_tessellation, morphological_tessellation, zones
+from oblast.geopandas._tessellation import enclosed_tessellation, morphological_tessellation
+from oblast.geopandas._zones import zones
 
 __all__ = [
     "Installed",
