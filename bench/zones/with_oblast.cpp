@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
     return [points, frame, threads = arguments.threads] {
       ZoneOptions options;
       options.threads = threads;
-      return oblast::zones({.shapes = {.points = points}}, frame, options);
+      return oblast::zones({{{}, {}, points}, {}, {}, {}}, frame, options);
     };
   };
   return buffers::drive(argc, argv, make, written);
