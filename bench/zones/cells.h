@@ -65,4 +65,13 @@ inline void add_cell(std::vector<Xy>& ring, const Frame& frame, buffers::Shapes&
   cells.end_polygon();
 }
 
+/// The main function of a driver: cells_of(points) makes the cells.
+template <class CellsOf>
+int drive(int argc, char** argv, const CellsOf& cells_of) {
+  const auto make = [&](const buffers::Arguments& arguments) {
+    return [&] { return cells_of(arguments.shapes.points); };
+  };
+  return buffers::drive(argc, argv, make, [](const buffers::Shapes& cells) { return cells; });
+}
+
 }  // namespace zones

@@ -55,9 +55,4 @@ buffers::Shapes cells_of(const std::vector<buffers::Xy>& points) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto make = [](const buffers::Arguments& arguments) {
-    return [&arguments] { return cells_of(arguments.shapes.points); };
-  };
-  return buffers::drive(argc, argv, make, [](const buffers::Shapes& cells) { return cells; });
-}
+int main(int argc, char** argv) { return zones::drive(argc, argv, cells_of); }

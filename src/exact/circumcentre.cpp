@@ -7,6 +7,7 @@
 
 #include "exact/double_double.h"
 #include "exact/expansion.h"
+#include "exact/expansion_product.h"
 #include "exact/rounded_exactly.h"
 
 namespace oblast::internal::exact {
@@ -30,18 +31,6 @@ template <int N>
 Expansion<N> half_of(Expansion<N> e) {
   for (int i = 0; i < e.size; ++i) e.component[i] /= 2;
   return e;
-}
-
-/// e * f, exactly.
-template <int N, int M>
-Expansion<2 * N * M> product(const Expansion<N>& e, const Expansion<M>& f) {
-  Expansion<2 * N * M> sum;
-  for (int i = 0; i < f.size; ++i) {
-    const auto next = sum + e * f.component[i];
-    sum.size = next.size;
-    for (int k = 0; k < next.size; ++k) sum.component[k] = next.component[k];
-  }
-  return sum;
 }
 
 Point by_expansions(const Point& a, const Point& b, const Point& c) {

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "exact/expansion.h"
+#include "exact/expansion_product.h"
 #include "exact/wide_integer.h"
 
 namespace oblast::internal::exact {
@@ -28,18 +29,6 @@ struct Differences {
     for (Difference* d : {&ax, &ay, &bx, &by, &cx, &cy}) visit(*d);
   }
 };
-
-/// The exact product; components of the factors and of all partial sums are non-overlapping.
-template <int N, int M>
-Expansion<2 * N * M> product(const Expansion<N>& e, const Expansion<M>& f) {
-  Expansion<2 * N * M> sum;
-  for (int i = 0; i < f.size; ++i) {
-    const auto next = sum + e * f.component[i];
-    sum.size = next.size;
-    std::copy_n(next.component, next.size, sum.component);
-  }
-  return sum;
-}
 
 /// x * x + y * y.
 Expansion<16> square(const Difference& x, const Difference& y) { return x * x + y * y; }
