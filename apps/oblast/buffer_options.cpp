@@ -106,10 +106,7 @@ CLI::App* add_buffer_options(CLI::App& program, BufferArguments& arguments, Invo
   command->add_flag("--by-feature", a->by_feature, "a row for each feature, with its attributes (default: one row)");
   command->add_option("--crs", a->crs, plane_help)->type_name("CRS");
   add_row_options(*command, a->rows, Select::columns);
-  add_file_options(*command, a->job, invocation);
-  command->remove_option(command->get_option("--minimal"));
-  command->remove_option(command->get_option("--contours"));
-  command->remove_option(command->get_option("--strict"));
+  add_zone_file_options(*command, a->job, invocation);
   return command;
 }
 

@@ -102,6 +102,11 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
   command.add_flag("-q,--quiet", a->quiet, "print no progress and no summary");
 }
 
+void add_zone_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
+  add_file_options(command, arguments, invocation);
+  for (const char* const name : {"--minimal", "--contours", "--strict"}) command.remove_option(command.get_option(name));
+}
+
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
   add_file_options(command, arguments, invocation);
   JobArguments* const a = &arguments;

@@ -31,6 +31,9 @@ struct JobArguments {
 
 /// The options of the files and of the computation that every command with a result has.
 void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation);
+
+/// The same for zones of shapes: their lines and points count, and their contours are as the library makes them.
+void add_zone_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation);
 /// Adds all options to a command. Only a command with two operands gets `--fill-b`.
 enum class Operands { one, two };
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands);

@@ -207,10 +207,7 @@ void add_zones(CLI::App& program, Invocation& invocation) {
       ->type_name("D");
   command->add_option("--crs", a->crs, plane_help)->type_name("CRS");
   add_row_options(*command, a->rows, Select::columns);
-  add_file_options(*command, a->job, invocation);
-  command->remove_option(command->get_option("--minimal"));
-  command->remove_option(command->get_option("--contours"));
-  command->remove_option(command->get_option("--strict"));
+  add_zone_file_options(*command, a->job, invocation);
   command->callback([arguments, &invocation] {
     invocation.run = [arguments, &invocation] { return run(*arguments, invocation.json); };
   });
