@@ -104,7 +104,8 @@ void add_file_options(CLI::App& command, JobArguments& arguments, Invocation& in
 
 void add_zone_file_options(CLI::App& command, JobArguments& arguments, Invocation& invocation) {
   add_file_options(command, arguments, invocation);
-  for (const char* const name : {"--minimal", "--contours", "--strict"}) command.remove_option(command.get_option(name));
+  for (const char* const name : {"--minimal", "--contours", "--strict"})
+    command.remove_option(command.get_option(name));
 }
 
 void add_job_options(CLI::App& command, JobArguments& arguments, Invocation& invocation, Operands operands) {
