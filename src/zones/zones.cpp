@@ -104,15 +104,15 @@ class Zones {
     bool found = false;
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
       const FreeEdge& edge = skeleton.edges[e];
-      const Strip& strip = skeleton.strips[e];
-      if (!narrow[e] || (!strip.left.is_there && !strip.right.is_there)) continue;
+      const auto right = skeleton.strips.right(e), left = skeleton.strips.left(e);
+      if (!narrow[e] || (right.empty() && left.empty())) continue;
       const auto add = [&](const Point& p) {
         if (strands.points.back() != p) strands.points.push_back(p);
       };
       strands.points.push_back(edge.low);
-      if (strip.right.is_there) add(strip.right.first), add(strip.right.second);
+      for (const Point& p : right) add(p);
       add(edge.high);
-      if (strip.left.is_there) add(strip.left.second), add(strip.left.first);
+      for (const Point& p : left) add(p);
       add(edge.low);
       strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
       found = true;
