@@ -115,10 +115,19 @@ class CoverCheck {
     const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
     const std::vector<std::uint32_t> holders = holders_of(s);
     if (holds_any(rows, holders)) return;
-    if (s.may_move && is_near_row(holders, Location(s.a)))
+    if ((s.may_move || touches_moved(s)) && is_near_row(holders, Location(s.a)))
       ++measures_.excused;
     else
       fail("a point of object " + std::to_string(s.object) + " is in row " + text(rows), s.a);
+  }
+
+  /// Whether the point is on an edge that may have moved. Where such edges make a thin spike, its end may be gone.
+  bool touches_moved(const ZoneEdge& point) const {
+    bool found = false;
+    all_.for_each_near(point, 0, [&](const ZoneEdge& t) {
+      found |= t.of != ZoneEdge::row && t.may_move && (t.a == point.a || t.b == point.a || has_inside(t, point.a));
+    });
+    return found;
   }
 
   /// The objects that may have a point: regions and lines that hold it, else the lowest of equal points.

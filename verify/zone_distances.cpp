@@ -1,5 +1,7 @@
 // Z3. Distances are estimated in doubles with a bound of the error; if that does not decide, squared distances are
 // compared as rational numbers.
+#include <oblast/domain.h>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -59,12 +61,17 @@ class DistanceCheck {
  private:
   static constexpr std::uint64_t places_by_edge = 6;
 
-  static Point at(const Stroke& e, double t) { return {e.a.x + (e.b.x - e.a.x) * t, e.a.y + (e.b.y - e.a.y) * t}; }
+  /// Predicates hold for coordinates of the domain only.
+  static double of_domain(double x) { return in_domain(x) ? x : 0; }
+
+  static Point at(const Stroke& e, double t) {
+    return {of_domain(e.a.x + (e.b.x - e.a.x) * t), of_domain(e.a.y + (e.b.y - e.a.y) * t)};
+  }
 
   /// Up to 4 units in the last place away.
   static double step(double x, std::uint64_t random) {
-    const double unit = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
-    return x + (static_cast<double>(random % 9) - 4) * unit;
+    const double unit = std::max(std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x), domain_smallest);
+    return of_domain(x + (static_cast<double>(random % 9) - 4) * unit);
   }
 
   struct Near {

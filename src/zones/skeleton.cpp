@@ -134,7 +134,7 @@ class Finder {
     const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)],
                 &c = mesh_.points[mesh_.apex(h)];
     const Point middle{a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3};
-    const double part = std::min(0.5, room_.tolerance / 16 / distance_from_segment(middle, a, b));
+    const double part = std::min(0.5, room_.tolerance / 16 / distance_from_segment(middle, from, to));
     const auto towards_middle = [&](const Point& p) {
       return Point{in_domain_near(p.x + part * (middle.x - p.x)), in_domain_near(p.y + part * (middle.y - p.y))};
     };
