@@ -29,8 +29,19 @@ class Trial {
         return ZoneFailure{BrokenZones::threads, "other bytes"};
       return {};
     } catch (const std::exception& e) {
+      if (may_be_refused()) return {};
       return ZoneFailure{BrokenZones::threw, e.what()};
     }
+  }
+
+  /// Whether everything, widened by eight times its extent, leaves the domain, as zones() requires it not to.
+  bool may_be_refused() const {
+    verify::Box box = box_of_objects();
+    box.add(box_of(question_.frame.points));
+    if (const auto frame = default_box()) box.add(*frame);
+    const double widened = 8 * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    return std::max({box.high.x + widened, box.high.y + widened, widened - box.low.x, widened - box.low.y}) >
+           domain_largest;
   }
 
  private:
@@ -55,7 +66,8 @@ class Trial {
     bounds.seed = trial_.seed;
     if (!is_whole) {
       bounds.lower = options_.distance - statistics_.rounding;
-      bounds.upper = options_.distance + statistics_.tolerance + statistics_.rounding;
+      const double epsilon = std::max(statistics_.tolerance, 1e-9 * options_.distance);
+      bounds.upper = options_.distance + 2 * epsilon + statistics_.rounding;
     }
     verify::ZoneDistanceMeasures distances;
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
