@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/distance.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
 
@@ -20,6 +21,8 @@ bool cross(const Stroke& s, const Stroke& t) {
 /// Within `distance` of the edge, but not on it.
 bool is_beside(const Point& p, const Stroke& s, double distance) {
   if (p == s.a || p == s.b || distance == 0 || has_inside(s, p)) return false;
+  const Interval found = estimated_distance(p, s);
+  if (found.high <= distance || found.low > distance) return found.high <= distance;
   return squared_distance(RationalPoint(p), s.a, s.b) <= Rational(distance) * Rational(distance);
 }
 

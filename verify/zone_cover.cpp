@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "verify/distance.h"
 #include "verify/edges.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
@@ -179,6 +180,11 @@ class CoverCheck {
   static ZoneEdge at(const Location& p) { return {{p.rounded(), p.rounded()}, ZoneEdge::line}; }
 
   bool is_near(const Location& p, const Stroke& s) const {
+    const Box box = p.box();
+    const double off = (box.high.x - box.low.x) + (box.high.y - box.low.y);
+    const Interval found = estimated_distance(p.rounded(), s);
+    if ((found.high + off) * (1 + 0x1p-50) <= bounds_.moved) return true;
+    if ((found.low - off) * (1 - 0x1p-50) > bounds_.moved) return false;
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 

@@ -53,7 +53,7 @@ class Zones {
         options_(options),
         control_(control),
         room_(make_room(objects.shapes, frame, options)),
-        changes_(std::size_t{objects.count} + 2) {}
+        changes_(2 * std::size_t{objects.count} + 2) {}
 
   KeyedResult run(ZoneStatistics& statistics) {
     statistics.tolerance = room_.tolerance;

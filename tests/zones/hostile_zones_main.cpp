@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   std::uint64_t cases = 100, first_seed = 1, show = 2, places = 300;
   int largest = 40;
   std::string only;
+  bool print = false;
   CLI::App app{"Random hostile objects against the promises of proximity zones, by generator"};
   app.add_option("--cases", cases, "cases of every generator")->capture_default_str();
   app.add_option("--first-seed", first_seed, "seeds count up from here")->capture_default_str();
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   app.add_option("--places", places, "places whose nearest object is tested, by case")->capture_default_str();
   app.add_option("--show", show, "failures shown, by generator")->capture_default_str();
   app.add_option("--generator", only, "only this one");
+  app.add_flag("--print", print, "only print the questions, as failures are shown");
   CLI11_PARSE(app, argc, argv);
 
   std::uint64_t total = 0, failures = 0;
@@ -44,6 +46,11 @@ int main(int argc, char** argv) {
       const double drawn = random.unit();
       const int size = 8 + static_cast<int>(drawn * drawn * std::max(1, largest - 7));
       const testing::ZoneQuestion question = testing::draw_zones(generator.make(seed, size), seed);
+      if (print) {
+        const std::lock_guard lock(mutex);
+        fmt::print("{} seed {}:\n  {}\n", generator.name, seed, testing::to_text(question));
+        return;
+      }
       testing::ZoneFigures figures;
       const auto failure = testing::run_zone_trial(question, {seed, places, false}, &figures);
       const std::lock_guard lock(mutex);
