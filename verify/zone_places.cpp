@@ -1,5 +1,8 @@
 #include "verify/zone_places.h"
 
+#include <oblast/domain.h>
+
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,9 +15,11 @@ constexpr std::uint64_t places_by_edge = 6;
 
 Point at(const Stroke& e, double t) { return {e.a.x + (e.b.x - e.a.x) * t, e.a.y + (e.b.y - e.a.y) * t}; }
 
+/// Up to 4 units in the last place away, but not out of the domain, where predicates are exact.
 double step(double x, std::uint64_t random) {
-  const double unit = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
-  return x + (static_cast<double>(random % 9) - 4) * unit;
+  const double unit = std::max(std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x), domain_smallest);
+  const double moved = x + (static_cast<double>(random % 9) - 4) * unit;
+  return in_domain(moved) ? moved : x;
 }
 
 std::vector<Stroke> edges_of(const RegionView& regions) {
@@ -38,10 +43,11 @@ std::vector<Point> zone_places(const JudgedZones& zones, std::uint64_t count, st
     places.push_back({x, low.y + (high.y - low.y) * unit()});
   }
   const std::vector<Stroke> borders = edges_of(zones.rows.regions);
-  const bool is_few = borders.size() * places_by_edge <= count;
-  const std::uint64_t edges = is_few ? borders.size() : count / places_by_edge + 1;
-  for (std::uint64_t k = 0; k < edges && !borders.empty(); ++k) {
-    const Stroke& e = borders[is_few ? k : random() % borders.size()];
+  // All edges in turn, again and again, if there are few; else some of them.
+  const std::uint64_t edges = borders.empty() ? 0 : count / places_by_edge + 1;
+  const bool is_few = borders.size() <= edges;
+  for (std::uint64_t k = 0; k < edges; ++k) {
+    const Stroke& e = borders[(is_few ? k : random()) % borders.size()];
     const Point on[] = {e.a, at(e, 0.5), at(e, unit())};
     for (const Point& p : on) {
       places.push_back(p);
