@@ -1,16 +1,14 @@
 // Z3. Distances are estimated in doubles with a bound of the error; if that does not decide, squared distances are
 // compared as rational numbers.
-#include <oblast/domain.h>
-
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "verify/distance.h"
 #include "verify/edges.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
+#include "verify/zone_places.h"
 #include "verify/zones.h"
 
 namespace oblast::verify {
@@ -26,54 +24,23 @@ class DistanceCheck {
         std::vector<Stroke> edges;
         for (const std::span<const Point> ring : polygon.contours())
           for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-        borders_.insert(borders_.end(), edges.begin(), edges.end());
         rows_.add(std::move(edges), zones.keys[r].a);
       }
     rows_.build();
     for (const PolygonView polygon : zones.frame.polygons()) frame_.add(boundary_of(polygon), 0);
     frame_.build();
-    for (const Area& area : frame_.areas) frame_box_.add(area.box());
   }
 
   std::optional<Fault> run(ZoneDistanceMeasures* measures) {
-    std::mt19937_64 random(bounds_.seed);
-    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-    for (std::uint64_t k = 0; k < bounds_.places && !fault_ && !frame_box_.empty(); ++k) {
-      const Point &low = frame_box_.low, &high = frame_box_.high;
-      check({low.x + (high.x - low.x) * unit(), low.y + (high.y - low.y) * unit()});
-    }
-    // All edges in turn if there are few, else some of them.
-    const bool is_few = borders_.size() * places_by_edge <= bounds_.places;
-    const std::uint64_t edges = is_few ? borders_.size() : bounds_.places / places_by_edge + 1;
-    for (std::uint64_t k = 0; k < edges && !fault_ && !borders_.empty(); ++k) {
-      const Stroke& e = borders_[is_few ? k : random() % borders_.size()];
-      const double t = unit();
-      const Point places[] = {e.a, at(e, 0.5), at(e, t)};
-      for (const Point& p : places) {
-        check(p);
-        check({step(p.x, random()), step(p.y, random())});
-      }
+    for (const Point& p : zone_places(zones_, bounds_.places, bounds_.seed)) {
+      check(p);
+      if (fault_) break;
     }
     if (measures) *measures = measures_;
     return fault_;
   }
 
  private:
-  static constexpr std::uint64_t places_by_edge = 6;
-
-  /// Predicates hold for coordinates of the domain only.
-  static double of_domain(double x) { return in_domain(x) ? x : 0; }
-
-  static Point at(const Stroke& e, double t) {
-    return {of_domain(e.a.x + (e.b.x - e.a.x) * t), of_domain(e.a.y + (e.b.y - e.a.y) * t)};
-  }
-
-  /// Up to 4 units in the last place away.
-  static double step(double x, std::uint64_t random) {
-    const double unit = std::max(std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x), domain_smallest);
-    return of_domain(x + (static_cast<double>(random % 9) - 4) * unit);
-  }
-
   struct Near {
     const ZoneObjects::Edge* edge;
     Interval distance;
@@ -187,7 +154,8 @@ class DistanceCheck {
     const double ex = e.b.x - e.a.x, ey = e.b.y - e.a.y, length = std::sqrt(ex * ex + ey * ey);
     const double along = std::clamp(((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length), 0.0, 1.0);
     const double step = std::min(64 * bounds_.moved / length, 0.5);
-    const Point aside = at(e, along < 0.5 ? along + step : along - step);
+    const double t = along < 0.5 ? along + step : along - step;
+    const Point aside{e.a.x + ex * t, e.a.y + ey * t};
     bool found = false;
     const auto limit = [&] { return 2 * bounds_.moved; };
     zones_.objects.tree.near(aside, limit, [&](std::uint32_t k) {
@@ -240,9 +208,7 @@ class DistanceCheck {
 
   const JudgedZones& zones_;
   const ZoneDistanceBounds& bounds_;
-  std::vector<Stroke> borders_;
   NumberedAreas rows_, frame_;
-  Box frame_box_;
   std::vector<Near> near_, own_;
   ZoneDistanceMeasures measures_;
   std::optional<Fault> fault_;
