@@ -71,8 +71,8 @@ void ZoneArrangement::find_moved(double moved) {
     for_each_near(s, moved, [&](const ZoneEdge& t) {
       if (s.may_move) return;
       if (t.of == ZoneEdge::row) {
-        // The frame is cut by borders, at places beside it.
-        if (s.of == ZoneEdge::frame) s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved);
+        // Borders of cells cut edges, at places beside them.
+        s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved);
       } else if (cross(s, t)) {
         const auto at = intersection_of_segments(s.a, s.b, t.a, t.b);
         s.may_move = !is_double(at->x) || !is_double(at->y);
