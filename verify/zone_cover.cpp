@@ -154,8 +154,8 @@ class CoverCheck {
     return holders;
   }
 
-  /// Whether the place is in the row of a holder, or of an object that is as near as edges may have moved; or so near to
-  /// where the frame may have moved. Adds these objects to the holders.
+  /// Whether the place is in the row of a holder, or of an object that is as near as edges may have moved; or so near
+  /// to where the frame may have moved. Adds these objects to the holders.
   bool is_in_near_row(std::vector<std::uint32_t>& holders, const Location& p) const {
     bool found = false;
     all_.for_each_near(at(p), bounds_.moved, [&](const ZoneEdge& t) {
@@ -188,8 +188,8 @@ class CoverCheck {
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver, or crosses one: a sliver lies between an edge that may have moved and another
-  /// such edge, or the row edges in its place.
+  /// Whether the piece is beside a sliver, or crosses one: a sliver lies between an edge that may have moved and
+  /// another such edge, or the row edges in its place.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0) return false;
     for (const Location* p : {&from, &middle, &to}) {

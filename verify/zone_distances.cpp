@@ -95,8 +95,7 @@ class DistanceCheck {
       const double excess = (mine.low + mine.high) / 2 - (others.low + others.high) / 2;
       measures_.epsilon = std::max(measures_.epsilon, excess);
     }
-    if (is_too_far(p, mine))
-      fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
+    if (is_too_far(p, mine)) fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
   }
 
   /// The largest distance is kept from all of an object, also from parts that are too thin to have a zone.

@@ -18,8 +18,8 @@ Point clean(const Point& p) { return {p.x + 0.0, p.y + 0.0}; }
 std::int32_t once(std::uint32_t source) { return static_cast<std::int32_t>(source) + 1; }
 
 /// The line as paths that ascend lexicographically, and along which y rises, or falls. Noding may make pieces of an
-/// edge vertical, and these turn around where y falls. So paths that fall have a source of their own: then no two pieces
-/// of one source run in opposite directions, and none cancel. Appends the line to `points` if it has no length.
+/// edge vertical, and these turn around where y falls. So paths that fall have a source of their own: then no two
+/// pieces of one source run in opposite directions, and none cancel. Appends the line to `points` if it has no length.
 void add_line(std::span<const Point> line, std::uint32_t object, std::uint32_t objects, Strands& strands,
               Array<LonePoint>& points) {
   Array<Point> path;
@@ -27,7 +27,9 @@ void add_line(std::span<const Point> line, std::uint32_t object, std::uint32_t o
     if (path.empty() || path.back() != clean(p)) path.push_back(clean(p));
   if (path.size() == 1) points.push_back({path[0], object});
   const auto ascends = [&](std::size_t i) { return lexicographically_less(path[i], path[i + 1]); };
-  const auto rises = [&](std::size_t i) { return ascends(i) ? path[i].y <= path[i + 1].y : path[i].y >= path[i + 1].y; };
+  const auto rises = [&](std::size_t i) {
+    return ascends(i) ? path[i].y <= path[i + 1].y : path[i].y >= path[i + 1].y;
+  };
   for (std::size_t begin = 0, end; begin + 1 < path.size(); begin = end) {
     end = begin + 1;
     while (end + 1 < path.size() && ascends(end) == ascends(begin) && rises(end) == rises(begin)) ++end;

@@ -36,8 +36,8 @@ struct FreeEdge {
 };
 
 /// Strips along free edges, on the sides that are not covered: in the triangle on that side, in the third of it that
-/// has this edge, and a sixteenth of epsilon wide at most. Where a triangle is too thin for that, the strip takes all of
-/// it and goes on behind it.
+/// has this edge, and a sixteenth of epsilon wide at most. Where a triangle is too thin for that, the strip takes all
+/// of it and goes on behind it.
 ///
 ///     low ------------- high
 ///        \ _________ /           the top: from high to low on the left of the edge, from low to high on its right

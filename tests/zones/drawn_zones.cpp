@@ -94,7 +94,7 @@ ZoneQuestion draw_zones(const generators::Operands& operands, std::uint64_t seed
   ZoneOptions& options = question.options;
   options.threads = 1;
   // Sites grow with the inverse root of the tolerance, and the judge takes its time; points need none.
-  const double finest = question.has_points_only() ? -9 : random.one_in(50) ? -7 : -4;
+  const double finest = question.has_points_only() ? -9 : random.one_in(200) ? -6 : -3.5;
   const double relative = std::pow(10, random.in(finest, -1));
   options.relative_tolerance = relative;
   if (random.one_in(3)) options.tolerance = extent * relative;
