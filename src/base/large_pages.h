@@ -71,6 +71,13 @@ void resize_uninitialized(LargeArray<T>& items, std::size_t count) {
   items.resize(count);
 }
 
+/// The same for an array that grows often: by a quarter of its length at least, when it has to be moved.
+template <class T>
+void grow_uninitialized(LargeArray<T>& items, std::size_t count) {
+  if (items.capacity() < count) reserve_in_large_pages(items, std::max(count, items.size() + items.size() / 4));
+  items.resize(count);
+}
+
 /// Resizes. New elements are zeros. All cores fetch the new pages first, since the first touch of one costs most.
 template <class T, class Allocator>
 void resize_with_zeros(std::vector<T, Allocator>& items, std::size_t count) {

@@ -51,7 +51,7 @@ class Walker {
 
   void walk_from(HalfEdge out) {
     const HalfEdge first = out;
-    begin(diagram_.centre[triangle_of(out)]);
+    begin(diagram_.circle[triangle_of(out)].centre);
     HalfEdge in = mesh_.twin(out);
     for (Steps steps; borders_of(triangle_of(in)) == 2; in = mesh_.twin(out)) {
       steps();
@@ -68,7 +68,7 @@ class Walker {
   void walk_around(std::uint32_t t) {
     HalfEdge first = half_edge(t, 0);
     while (!diagram_.is_border(first)) first = triangulation::next(first);
-    begin(diagram_.centre[t]);
+    begin(diagram_.circle[t].centre);
     HalfEdge in = mesh_.twin(first);
     for (Steps steps; !passed_[t]; in = mesh_.twin(other_border(in))) {
       steps();
@@ -96,7 +96,7 @@ class Walker {
       limit = std::min(flattening_, distance(mesh_.points[mesh_.origin(h)], mesh_.points[mesh_.target(h)]) / 8);
     limit_.back() = std::min(limit_.back(), limit);
     if (const std::uint32_t contact = diagram_.contact_across(h); contact != none) add(contacts_[contact].at, 0);
-    add(diagram_.centre[triangle_of(h)], limit);
+    add(diagram_.circle[triangle_of(h)].centre, limit);
   }
 
   void add(const Point& p, double limit) {

@@ -2,85 +2,114 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+static double F=getenv("F")?atof(getenv("F")):1;
 
 #include "base/call.h"
-#include "zones/distance.h"
 
 namespace oblast::internal::zoning {
 
-int PieceCheck::halvings(std::uint32_t first, std::uint32_t last, std::uint32_t object) {
-  const Mesh& mesh = diagram_.mesh;
-  a_ = mesh.points[first];
-  b_ = mesh.points[last];
+using triangulation::next;
+using triangulation::previous;
+using triangulation::triangle_of;
+
+std::uint32_t PieceCheck::parts(std::uint32_t first, std::uint32_t last, std::uint32_t object) {
+  a_ = diagram_.mesh.points[first];
+  b_ = diagram_.mesh.points[last];
   object_ = object;
-  const double length = distance(a_, b_);
-  if (length <= 2 * room_.sampling) {
-    // Each of its places is as near to one of its ends.
-    error_ = std::max(error_, length / 2);
-    narrow_ = true;
-    return 0;
-  }
-  depth_ = radius_ = 0;
-  relaxed_.clear();
-  narrow_ = diagram_.object[first] != object || diagram_.object[last] != object;
+  length_ = distance(a_, b_);
   begin_flood();
-  HalfEdge h = ends_.leaving[first];
-  do {
-    reach(triangulation::triangle_of(h));
-    h = mesh.clockwise(h);
-  } while (h != ends_.leaving[first]);
-  Steps steps;
-  // Once the piece is known to be too long, a few more circles tell about how much.
-  for (std::size_t looked = 0; !waiting_.empty() && (radius_ == 0 || looked < 64); ++looked) {
-    steps();
-    const std::uint32_t t = waiting_.back();
-    waiting_.pop_back();
-    look_at(t);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t across = triangulation::triangle_of(mesh.triangles[t].twin[i]);
-      if (mesh.triangles[across].is_ghost()) continue;
-      const Point& centre = diagram_.centre[across];
-      const double radius = distance(centre, mesh.points[mesh.triangles[across].vertex[0]]);
-      if (distance_from_segment(centre, a_, b_) < radius + margin_) reach(across);
-    }
+  if (length_ <= 2 * room_.sampling) {
+    // Each of its places is as near to one of its ends.
+    error_ = length_ / 2;
+    narrow_ = true;
+    return 1;
   }
+  along_x_ = (b_.x - a_.x) / length_;
+  along_y_ = (b_.y - a_.y) / length_;
+  narrow_ = diagram_.object[first] != object || diagram_.object[last] != object;
+  flood(first);
   if (radius_ == 0) {
-    error_ = std::max(error_, depth_);
+    error_ = depth_;
     for (const Relaxed& relaxed : relaxed_) error_ = std::max(error_, relaxed.needed());
-    return 0;
+    return 1;
   }
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
   // in, so this divides too little rather than too much.
   const double wanted = std::sqrt(8 * radius_ * room_.sampling);
-  return std::clamp(length > wanted ? std::ilogb(length / wanted) : 1, 1, 6);
+  return 1U << std::clamp(length_ > wanted ? std::ilogb(F * length_ / wanted) : 1, 1, 6);
+}
+
+/// The distance from the piece.
+double PieceCheck::apart(const Point& p) const {
+  const double x = p.x - a_.x, y = p.y - a_.y;
+  const double along = x * along_x_ + y * along_y_;
+  if (!(along > 0)) return distance(p, a_);
+  if (!(along < length_)) return distance(p, b_);
+  return std::fabs(x * along_y_ - y * along_x_);
 }
 
 void PieceCheck::begin_flood() {
-  for (const std::uint32_t t : reached_) slots_[t] = none;
-  reached_.clear();
+  depth_ = radius_ = 0;
+  relaxed_.clear();
   waiting_.clear();
+  triangles_.clear();
+  for (const std::uint32_t t : taken_) slots_[t] = none;
+  taken_.clear();
 }
 
-void PieceCheck::reach(std::uint32_t triangle) {
-  if (diagram_.mesh.triangles[triangle].is_ghost()) return;
-  if (2 * (reached_.size() + 1) > slots_.size()) {
-    Array<std::uint32_t> all;
-    for (const std::uint32_t slot : reached_) all.push_back(slots_[slot]);
-    slots_.assign(std::max<std::size_t>(64, 4 * slots_.size()), none);
-    reached_.clear();
-    for (const std::uint32_t t : all) {
-      std::size_t slot = t * 0x9e3779b9U & (slots_.size() - 1);
-      while (slots_[slot] != none) slot = (slot + 1) & (slots_.size() - 1);
-      slots_[slot] = t;
-      reached_.push_back(static_cast<std::uint32_t>(slot));
+void PieceCheck::flood(std::uint32_t first) {
+  const Mesh& mesh = diagram_.mesh;
+  const HalfEdge begin = diagram_.leaving[first];
+  HalfEdge h = begin;
+  do {
+    if (!mesh.triangles[triangle_of(h)].is_ghost()) reach(triangle_of(h));
+    h = mesh.clockwise(h);
+  } while (h != begin);
+  do {
+    if (!mesh.triangles[triangle_of(h)].is_ghost()) {
+      look_at(triangle_of(h));
+      waiting_.push_back(next(h));
     }
+    h = mesh.clockwise(h);
+  } while (h != begin);
+  Steps steps;
+  // Once the piece is known to be too long, a few more circles tell about how much.
+  for (std::size_t looked = 0; !waiting_.empty() && (radius_ == 0 || looked < 64); ++looked) {
+    steps();
+    const HalfEdge entered = mesh.twin(waiting_.back());
+    waiting_.pop_back();
+    const std::uint32_t t = triangle_of(entered);
+    if (mesh.triangles[t].is_ghost()) continue;
+    const Circle& circle = diagram_.circle[t];
+    if (!(apart(circle.centre) < circle.radius + margin_) || !reach(t)) continue;
+    look_at(t);
+    waiting_.push_back(next(entered));
+    waiting_.push_back(previous(entered));
   }
+}
+
+/// False if it was reached before.
+bool PieceCheck::reach(std::uint32_t triangle) {
+  if (2 * (taken_.size() + 1) > slots_.size()) grow_slots();
   std::size_t slot = triangle * 0x9e3779b9U & (slots_.size() - 1);
   for (; slots_[slot] != none; slot = (slot + 1) & (slots_.size() - 1))
-    if (slots_[slot] == triangle) return;
+    if (slots_[slot] == triangle) return false;
   slots_[slot] = triangle;
-  reached_.push_back(static_cast<std::uint32_t>(slot));
-  waiting_.push_back(triangle);
+  taken_.push_back(static_cast<std::uint32_t>(slot));
+  triangles_.push_back(triangle);
+  return true;
+}
+
+void PieceCheck::grow_slots() {
+  slots_.assign(std::max<std::size_t>(64, 4 * slots_.size()), none);
+  taken_.clear();
+  for (const std::uint32_t t : triangles_) {
+    std::size_t slot = t * 0x9e3779b9U & (slots_.size() - 1);
+    while (slots_[slot] != none) slot = (slot + 1) & (slots_.size() - 1);
+    slots_[slot] = t;
+    taken_.push_back(static_cast<std::uint32_t>(slot));
+  }
 }
 
 void PieceCheck::look_at(std::uint32_t triangle) {
@@ -88,15 +117,15 @@ void PieceCheck::look_at(std::uint32_t triangle) {
   const auto& vertex = mesh.triangles[triangle].vertex;
   const auto foreign = [&](std::uint32_t v) { return diagram_.object[v] != object_; };
   if (!foreign(vertex[0]) && !foreign(vertex[1]) && !foreign(vertex[2])) return;
-  const Point& centre = diagram_.centre[triangle];
-  const double radius = distance(centre, mesh.points[vertex[0]]);
+  const auto& [centre, radius] = diagram_.circle[triangle];
   judge(centre, radius, vertex);
-  narrow_ |= distance_from_segment(centre, a_, b_) <= room_.flattening + margin_;
-  for (const std::uint32_t v : vertex)
-    narrow_ |= foreign(v) && distance_from_segment(mesh.points[v], a_, b_) <= room_.tolerance + margin_;
+  if (!narrow_) {
+    narrow_ = apart(centre) <= room_.flattening + margin_;
+    for (const std::uint32_t v : vertex) narrow_ |= foreign(v) && apart(mesh.points[v]) <= room_.tolerance + margin_;
+  }
   for (std::uint32_t i = 0; i < 3; ++i) {
     const HalfEdge side = triangulation::half_edge(triangle, i);
-    if (mesh.triangles[triangulation::triangle_of(mesh.twin(side))].is_ghost()) continue;
+    if (mesh.triangles[triangle_of(mesh.twin(side))].is_ghost()) continue;
     if (foreign(mesh.origin(side)) || foreign(mesh.target(side))) look_at_crossing(side);
   }
 }
@@ -104,36 +133,36 @@ void PieceCheck::look_at(std::uint32_t triangle) {
 /// Where the border between the cells at both ends of the side crosses the piece.
 void PieceCheck::look_at_crossing(HalfEdge side) {
   const Mesh& mesh = diagram_.mesh;
-  const Point &p = diagram_.centre[triangulation::triangle_of(side)],
-              &q = diagram_.centre[triangulation::triangle_of(mesh.twin(side))];
-  const double x = b_.x - a_.x, y = b_.y - a_.y;
-  const double of_p = x * (p.y - a_.y) - y * (p.x - a_.x), of_q = x * (q.y - a_.y) - y * (q.x - a_.x);
+  const Point &p = diagram_.circle[triangulation::triangle_of(side)].centre,
+              &q = diagram_.circle[triangulation::triangle_of(mesh.twin(side))].centre;
+  const double of_p = along_x_ * (p.y - a_.y) - along_y_ * (p.x - a_.x),
+               of_q = along_x_ * (q.y - a_.y) - along_y_ * (q.x - a_.x);
   if ((of_p > 0) == (of_q > 0)) return;
   const double along = of_p / (of_p - of_q);
   const Point at{p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
   const double radius = distance(at, mesh.points[mesh.origin(side)]);
-  if (distance_from_segment(at, a_, b_) <= margin_) narrow_ = true;
+  narrow_ |= apart(at) <= margin_;
   const std::uint32_t sites[] = {mesh.origin(side), mesh.target(side)};
   judge(at, radius, sites);
 }
 
 /// `sites`: some to which the place belongs, all at the distance `radius`.
 void PieceCheck::judge(const Point& at, double radius, std::span<const std::uint32_t> sites) {
-  const double apart = distance_from_segment(at, a_, b_), depth = radius - apart;
+  const double from_piece = apart(at), depth = radius - from_piece;
   if (depth <= room_.sampling) {
     depth_ = std::max(depth_, depth);
     return;
   }
   for (const std::uint32_t site : sites)
-    if (diagram_.object[site] != object_) relax(at, apart, radius, site);
+    if (diagram_.object[site] != object_) relax(at, from_piece, radius, site);
 }
 
-void PieceCheck::relax(const Point& at, double apart, double radius, std::uint32_t site) {
+void PieceCheck::relax(const Point& at, double from_piece, double radius, std::uint32_t site) {
   auto relaxed = std::find_if(relaxed_.begin(), relaxed_.end(), [&](const Relaxed& r) { return r.site == site; });
   if (relaxed == relaxed_.end()) relaxed = relaxed_.insert(relaxed_.end(), {site, {0, 0, 0}});
   const Mesh& mesh = diagram_.mesh;
   const auto keep = [&](int i, double from_object) {
-    relaxed->difference[i] = std::max(relaxed->difference[i], from_object - apart);
+    relaxed->difference[i] = std::max(relaxed->difference[i], from_object - from_piece);
   };
   Point end[2];
   for (const int i : {0, 1}) {

@@ -12,7 +12,7 @@
 //
 // A site of another object can belong to a place nearer to the piece only if the circle of some triangle is cut by the
 // piece. These triangles are connected, and some of them have the piece's first site as a corner. So they are found by
-// a flood from there.
+// a flood from there. As long as none of them changes, nor one beside them, the answer stays.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 
 #include "base/call_memory.h"
 #include "zones/diagram.h"
+#include "zones/distance.h"
 
 namespace oblast::internal::zoning {
 
@@ -30,9 +31,8 @@ struct PieceEnds {
   struct Ends {
     std::uint32_t first, last;
   };
-  Array<Ends> of_piece;
+  LargeArray<Ends> of_piece;
   Array<std::array<std::uint32_t, 2>> at_vertex;  ///< two pieces of the object of the vertex that end there, or none
-  Array<HalfEdge> leaving;                        ///< by vertex: some half-edge with that origin
 };
 
 class PieceCheck {
@@ -40,34 +40,42 @@ class PieceCheck {
   PieceCheck(const Diagram& diagram, const PieceEnds& ends, const Room& room)
       : diagram_(diagram), ends_(ends), room_(room), margin_(8 * room.unit) {}
 
-  /// How many times the piece is to be halved: 0 if it is short enough. `first`, `last`: vertices of its ends.
-  int halvings(std::uint32_t first, std::uint32_t last, std::uint32_t object);
+  /// Into how many parts the piece is to be divided: 1 if it is short enough. `first`, `last`: vertices of its ends.
+  std::uint32_t parts(std::uint32_t first, std::uint32_t last, std::uint32_t object);
 
   /// Whether the last piece is so near to sites of other objects, or to borders of their cells, that it may pass
   /// through them, once borders are flattened.
   bool is_narrow() const { return narrow_; }
 
-  /// The largest epsilon that a piece needed which was short enough.
+  /// The epsilon that the last piece needs, if it is short enough.
   double error() const { return error_; }
+
+  /// The triangles that were looked at for the last piece.
+  std::span<const std::uint32_t> triangles() const { return triangles_; }
 
  private:
   void begin_flood();
-  void reach(std::uint32_t triangle);
+  bool reach(std::uint32_t triangle);
+  void grow_slots();
+  void flood(std::uint32_t first);
   void look_at(std::uint32_t triangle);
   void look_at_crossing(HalfEdge side);
   void judge(const Point& at, double radius, std::span<const std::uint32_t> sites);
   void relax(const Point& at, double apart, double radius, std::uint32_t site);
+  double apart(const Point& p) const;
 
   const Diagram& diagram_;
   const PieceEnds& ends_;
   const Room& room_;
   double margin_;  ///< for the errors of distances
-  double error_ = 0;
 
   // Of the piece:
   Point a_, b_;
+  double length_ = 0;
+  double along_x_ = 0, along_y_ = 0;  ///< its direction, of length 1
   std::uint32_t object_ = 0;
   bool narrow_ = false;
+  double error_ = 0;
   double depth_ = 0;  ///< the largest one that was found, by distances from sites
   /// A site that alone would not do, and the largest difference for each of its pieces.
   struct Relaxed {
@@ -78,9 +86,10 @@ class PieceCheck {
   };
   Array<Relaxed> relaxed_;
   double radius_ = 0;  ///< the largest one of circles that the piece cuts too deep
-  Array<std::uint32_t> waiting_;
-  Array<std::uint32_t> slots_;  ///< a hash table of the triangles that were reached; none where free
-  Array<std::uint32_t> reached_;
+  Array<HalfEdge> waiting_;         ///< sides of triangles that were reached; what is across may be reached too
+  Array<std::uint32_t> triangles_;  ///< that were reached
+  Array<std::uint32_t> slots_;      ///< a hash table of these; none where free
+  Array<std::uint32_t> taken_;      ///< slots
 };
 
 }  // namespace oblast::internal::zoning

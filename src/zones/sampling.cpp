@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <cstdio>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "zones/distance.h"
@@ -13,15 +16,24 @@ namespace {
 /// A part of an edge between two sites.
 struct Piece {
   std::uint32_t edge;
-  std::uint32_t first, last;  ///< sites
-  double from, to;            ///< along the edge, from 0 to 1
+  double from, to;  ///< along the edge, from 0 to 1
+};
+
+/// What the last check of a piece found.
+struct Checked {
+  double error = 0;
+  std::size_t begin = 0;    ///< its triangles, in the list of all
+  std::uint32_t count = 0;  ///< how many
+  bool is_narrow = false;
+  bool is_settled = false;  ///< if it has no triangles: whether it is short enough whatever is near
 };
 
 class Sampling {
  public:
-  Sampling(const Skeleton& skeleton, const Room& room) : skeleton_(skeleton), room_(room) {
-    for (const Point& p : room.ring) sites_.push_back({p, none});
-    for (const LonePoint& point : skeleton.points) sites_.push_back({point.at, point.object});
+  Sampling(const Skeleton& skeleton, const Room& room)
+      : skeleton_(skeleton), room_(room), diagram_(skeleton.contacts) {
+    for (const Point& p : room.ring) add_site({p, none});
+    for (const LonePoint& point : skeleton.points) add_site({point.at, point.object});
     site_of_vertex_.resize(skeleton.object_of_vertex.size(), none);
     for (std::uint32_t e = 0; e < skeleton.edges.size(); ++e) add_edge(e);
     site_of_vertex_ = {};
@@ -29,22 +41,20 @@ class Sampling {
 
   Sampled run() {
     Sampled sampled;
-    for (const Contact& contact : skeleton_.contacts) sampled.error = std::max(sampled.error, contact.radius);
-    double error = 0;
-    for (bool divided = true; divided;) {
+    begin();
+    for (Array<std::uint32_t> some = all_pieces(); !some.empty(); some = unsettled()) {
       ++sampled.rounds;
-      sampled.diagram = {};
-      sampled.diagram = make_diagram(sites_, skeleton_.contacts);
-      divided = divide(sampled.diagram, error);
+      auto c0=(double)clock();
+      check(some);
+      auto c1=(double)clock();
+      bool d=divide(some);
+      auto c2=(double)clock();
+      static size_t tot=0; static double ck=0,dv=0; tot+=some.size(); ck+=c1-c0; dv+=c2-c1;
+      if (sampled.rounds<9||!d) fprintf(stderr,"round %d checked %zu total %zu check %.2f divide %.2f pieces %zu\n",(int)sampled.rounds,some.size(),tot,ck/1e6,dv/1e6,pieces_.size());
+      if (!d) break;
     }
-    sampled.error = std::max(sampled.error, error);
-    sampled.narrow.assign(skeleton_.edges.size(), false);
-    for (std::uint32_t e = 0; e < skeleton_.edges.size(); ++e)
-      sampled.narrow[e] = skeleton_.edges[e].low_contact != none || skeleton_.edges[e].high_contact != none;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (narrow_[i]) sampled.narrow[pieces_[i].edge] = true;
-    sampled.sites = sites_.size() - room_.ring.size();
-    return sampled;
+    sampled.rounds = std::max<std::uint64_t>(sampled.rounds, 1);
+    return finished(sampled);
   }
 
  private:
@@ -58,8 +68,9 @@ class Sampling {
   }
 
   std::uint32_t add_site(const Site& site) {
-    sites_.push_back(site);
-    return static_cast<std::uint32_t>(sites_.size() - 1);
+    fresh_.push_back(site);
+    return checked_index(sites_ + fresh_.size() - 1, "sites (points, and samples of lines and outlines)",
+                         most_mesh_vertices);
   }
 
   std::uint32_t site_of(std::uint32_t vertex, const Point& at) {
@@ -97,92 +108,187 @@ class Sampling {
       if (i == 0 && half > 0) site.contact = edge.low_contact;
       if (i + 1 == stops.size() && stops.size() > half && edge.high_contact != none) site.contact = edge.high_contact;
       const std::uint32_t next = add_site(site);
-      if (before != none) pieces_.push_back({e, before, next, from, stops[i]});
+      if (before != none) add_piece({e, from, stops[i]}, {before, next});
       before = next;
       from = stops[i];
     }
-    if (edge.high_contact == none) pieces_.push_back({e, before, site_of(edge.high_vertex, edge.high), from, 1});
+    if (edge.high_contact == none) add_piece({e, from, 1}, {before, site_of(edge.high_vertex, edge.high)});
   }
 
-  /// False if all pieces are short enough. `error`: the largest epsilon that those need.
-  bool divide(const Diagram& diagram, double& error) {
-    const PieceEnds ends = ends_in(diagram);
-    Array<std::uint8_t> halvings(pieces_.size());
-    narrow_.assign(pieces_.size(), 0);
-    Array<double> errors(range_count(pieces_.size(), tuning::checked_pieces_a_range), 0);
-    for_numbered_ranges(
-        pieces_.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t i, std::size_t end) {
-          PieceCheck check(diagram, ends, room_);
-          for (; i < end; ++i) {
-            const auto [first, last] = ends.of_piece[i];
-            halvings[i] =
-                static_cast<std::uint8_t>(check.halvings(first, last, skeleton_.edges[pieces_[i].edge].object));
-            narrow_[i] = check.is_narrow();
-          }
-          errors[range] = check.error();
-        });
-    error = 0;
-    for (const double e : errors) error = std::max(error, e);
-    return halve(halvings);
+  void add_piece(const Piece& piece, const PieceEnds::Ends& ends) {
+    pieces_.push_back(piece);
+    ends_.of_piece.push_back(ends);
   }
 
-  PieceEnds ends_in(const Diagram& diagram) const {
-    const Mesh& mesh = diagram.mesh;
-    PieceEnds ends;
-    ends.leaving.resize(mesh.points.size(), none);
-    Steps steps(mesh.triangles.size() + pieces_.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      steps();
-      for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t v = mesh.triangles[t].vertex[i]; v != triangulation::infinite_vertex)
-          ends.leaving[v] = triangulation::half_edge(t, i);
-    }
-    ends.of_piece.reserve(pieces_.size());
-    ends.at_vertex.resize(mesh.points.size(), {none, none});
+  /// Hands the sites over that were added since the last call. Returns the number of the first one.
+  std::uint32_t make_vertices() {
+    const std::uint32_t first = sites_;
+    diagram_.add(fresh_);
+    sites_ += static_cast<std::uint32_t>(fresh_.size());
+    fresh_.clear();
+    ends_.at_vertex.resize(diagram_.diagram().mesh.points.size(), {none, none});
+    checked_.resize(pieces_.size());
+    return first;
+  }
+
+  /// The first diagram. Until now the ends of pieces are sites.
+  void begin() {
+    make_vertices();
+    Steps steps(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       steps();
-      ends.of_piece.push_back({mesh.vertex_of[pieces_[i].first], mesh.vertex_of[pieces_[i].last]});
-      for (const std::uint32_t v : {ends.of_piece[i].first, ends.of_piece[i].last}) {
-        if (diagram.object[v] != skeleton_.edges[pieces_[i].edge].object) continue;
-        auto& at = ends.at_vertex[v];
-        if (at[0] == none)
-          at[0] = i;
-        else if (at[1] == none)
-          at[1] = i;
-      }
+      auto& [first, last] = ends_.of_piece[i];
+      first = diagram_.vertex_of(first);
+      last = diagram_.vertex_of(last);
+      note_end(first, i);
+      note_end(last, i);
     }
-    return ends;
   }
 
-  bool halve(const Array<std::uint8_t>& halvings) {
-    LargeArray<Piece> pieces;
-    Steps steps(pieces_.size());
-    bool divided = false;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+  Array<std::uint32_t> all_pieces() const {
+    Array<std::uint32_t> all(pieces_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+  }
+
+  void note_end(std::uint32_t vertex, std::uint32_t piece) {
+    if (diagram_.diagram().object[vertex] != skeleton_.edges[pieces_[piece].edge].object) return;
+    auto& at = ends_.at_vertex[vertex];
+    if (at[0] == none)
+      at[0] = piece;
+    else if (at[1] == none && at[0] != piece)
+      at[1] = piece;
+  }
+
+  /// Checks some pieces, and fills parts_ for these.
+  void check(const Array<std::uint32_t>& some) {
+    const std::size_t ranges = range_count(some.size(), tuning::checked_pieces_a_range);
+    Array<Array<std::uint32_t>> triangles(ranges);
+    parts_.assign(some.size(), 1);
+    for_numbered_ranges(
+        some.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t k, std::size_t end) {
+          PieceCheck check(diagram_.diagram(), ends_, room_);
+          for (; k < end; ++k) {
+            const std::uint32_t i = some[k];
+            const auto [first, last] = ends_.of_piece[i];
+            parts_[k] = check.parts(first, last, skeleton_.edges[pieces_[i].edge].object);
+            const auto reached = parts_[k] == 1 ? check.triangles() : std::span<const std::uint32_t>{};
+            checked_[i] = {check.error(), triangles[range].size(), static_cast<std::uint32_t>(reached.size()),
+                           check.is_narrow(), parts_[k] == 1};
+            triangles[range].insert(triangles[range].end(), reached.begin(), reached.end());
+          }
+        });
+    keep_triangles(some, triangles);
+  }
+
+  void keep_triangles(const Array<std::uint32_t>& some, Array<Array<std::uint32_t>>& triangles) {
+    std::size_t count = triangles_.size();
+    Array<std::size_t> begins;
+    for (const auto& range : triangles) {
+      begins.push_back(count);
+      count += range.size();
+    }
+    grow_uninitialized(triangles_, count);
+    for_numbered_ranges(
+        some.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t k, std::size_t end) {
+          std::copy(triangles[range].begin(), triangles[range].end(), triangles_.begin() + begins[range]);
+          triangles[range] = {};
+          for (; k < end; ++k) checked_[some[k]].begin += begins[range];
+        });
+  }
+
+  /// Divides those of `some` that are too long. False if there are none.
+  bool divide(const Array<std::uint32_t>& some) {
+    const auto first_part = static_cast<std::uint32_t>(pieces_.size());
+    Steps steps(some.size());
+    for (std::size_t k = 0; k < some.size(); ++k) {
       steps();
+      if (parts_[k] == 1) continue;
+      const std::uint32_t i = some[k];
       const Piece whole = pieces_[i];
-      const int parts = 1 << halvings[i];
-      divided |= parts > 1;
       const FreeEdge& edge = skeleton_.edges[whole.edge];
-      Piece piece = whole;
-      for (int k = 1; k <= parts; ++k) {
-        piece.to = k == parts ? whole.to : whole.from + (whole.to - whole.from) * k / parts;
-        piece.last = k == parts ? whole.last : add_site({place(edge, piece.to), edge.object});
-        pieces.push_back(piece);
-        piece.from = piece.to;
-        piece.first = piece.last;
+      Piece part = whole;
+      for (std::uint32_t n = 1; n <= parts_[k]; ++n) {
+        part.to = n == parts_[k] ? whole.to : whole.from + (whole.to - whole.from) * n / parts_[k];
+        if (n < parts_[k]) add_site({place(edge, part.to), edge.object});
+        if (n == 1)
+          pieces_[i] = part;
+        else
+          add_piece(part, {none, none});
+        part.from = part.to;
       }
     }
-    check_count(sites_.size(), "sites (points, and samples of lines and outlines)", most_mesh_vertices);
-    pieces_ = std::move(pieces);
-    return divided;
+    if (fresh_.empty()) return false;
+    check_count(pieces_.size(), "pieces of edges");
+    const std::uint32_t first_site = make_vertices();
+    give_ends(some, first_part, first_site);
+    return true;
+  }
+
+  /// The ends of the parts that divide() made.
+  void give_ends(const Array<std::uint32_t>& some, std::uint32_t part, std::uint32_t site) {
+    Steps steps(some.size());
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      steps();
+      if (parts_[k] == 1) continue;
+      const std::uint32_t last = ends_.of_piece[some[k]].last;
+      for (std::uint32_t n = 1, i = some[k]; n < parts_[k]; ++n) {
+        const std::uint32_t v = diagram_.vertex_of(site++);
+        ends_.of_piece[i].last = v;
+        ends_.of_piece[part] = {v, last};
+        note_end(v, i);
+        note_end(v, part);
+        i = part++;
+      }
+      for (std::uint32_t& at : ends_.at_vertex[last])
+        if (at == some[k]) at = part - 1;
+    }
+  }
+
+  /// Pieces that are to be checked again: those that were divided, and those that have a change near.
+  Array<std::uint32_t> unsettled() const {
+    Array<Array<std::uint32_t>> found(range_count(pieces_.size(), tuning::checked_pieces_a_range));
+    for_numbered_ranges(
+        pieces_.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t i, std::size_t end) {
+          for (; i < end; ++i)
+            if (is_unsettled(static_cast<std::uint32_t>(i))) found[range].push_back(static_cast<std::uint32_t>(i));
+        });
+    Array<std::uint32_t> all;
+    for (const auto& range : found) all.insert(all.end(), range.begin(), range.end());
+    return all;
+  }
+
+  bool is_unsettled(std::uint32_t piece) const {
+    const Checked& checked = checked_[piece];
+    if (checked.count == 0) return !checked.is_settled;
+    const std::uint32_t* const t = triangles_.data() + checked.begin;
+    return std::any_of(t, t + checked.count, [&](std::uint32_t triangle) { return diagram_.is_near_change(triangle); });
+  }
+
+  Sampled finished(Sampled sampled) {
+    for (const Contact& contact : skeleton_.contacts) sampled.error = std::max(sampled.error, contact.radius);
+    sampled.narrow.assign(skeleton_.edges.size(), false);
+    for (std::uint32_t e = 0; e < skeleton_.edges.size(); ++e)
+      sampled.narrow[e] = skeleton_.edges[e].low_contact != none || skeleton_.edges[e].high_contact != none;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      sampled.error = std::max(sampled.error, checked_[i].error);
+      if (checked_[i].is_narrow) sampled.narrow[pieces_[i].edge] = true;
+    }
+    sampled.sites = sites_ - room_.ring.size();
+    sampled.diagram = diagram_.take();
+    return sampled;
   }
 
   const Skeleton& skeleton_;
   const Room& room_;
-  LargeArray<Site> sites_;
+  GrowingDiagram diagram_;
+  LargeArray<Site> fresh_;   ///< sites that have no vertex yet
+  std::uint32_t sites_ = 0;  ///< those that have one
   LargeArray<Piece> pieces_;
-  Array<std::uint8_t> narrow_;  ///< by piece
+  PieceEnds ends_;
+  Array<Checked> checked_;             ///< by piece
+  LargeArray<std::uint32_t> triangles_;  ///< those of all pieces that are short enough
+  Array<std::uint32_t> parts_;         ///< by place in the list of pieces that were checked last
   Array<std::uint32_t> site_of_vertex_;
   Array<double> stops_;
 };
