@@ -13,7 +13,8 @@ struct NearestFiles {
 };
 
 /// Makes the zones, draws `count` places in the frame and about as many on borders and beside them, and writes places
-/// and rows: a place that several zones hold once for each of them.
+/// and rows: a place that several zones hold once for each of them. "in_no_row" are places inside the frame that no
+/// zone holds.
 nlohmann::json write_places(const NearestFiles& files, std::uint64_t count, std::uint64_t seed, double tolerance);
 
 /// Compares, exactly: the object of the row is at most as far as the oracle's site and `error` and `rounding`; that

@@ -16,8 +16,10 @@ def jobs(count, seed=1):
         "far from the origin": lambda: whole(random, tenth, 1 << 24) + 1e9 + 1 / 8,
         "circles": lambda: circles(tenth, 1),
         "circles in circles": lambda: circles(tenth, 4),
-        "on one line": lambda: np.arange(tenth)[:, None] * (3.0, 7.0) + (1, 2),
-        "on one line, rounded": lambda: unique(np.arange(tenth)[:, None] * (0.3, 0.7)),
+        "on a level line": lambda: np.arange(tenth)[:, None] * (3.0, 0.0) + (1, 2),
+        # Few: zones are strips through the whole frame, and the judge takes the square of their number.
+        "on a slanted line": lambda: np.arange(tenth // 20)[:, None] * (3.0, 7.0) + (1, 2),
+        "on a line, rounded": lambda: unique(np.arange(tenth // 20)[:, None] * (0.3, 0.7)),
         "on 100 lines": lambda: lines(random, 100, tenth // 100),
     }
 

@@ -30,9 +30,11 @@ nlohmann::json write_places(const NearestFiles& files, std::uint64_t count, std:
   std::vector<buffers::Xy> places;
   std::vector<std::uint32_t> numbers;
   std::uint64_t in_no_row = 0;
+  const Point &low = objects.frame().points[0], &high = objects.frame().points[2];
+  const auto is_inside = [&](const Point& p) { return low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y; };
   for (const Point& p : verify::zone_places({judged, objects.frame(), rows, rows.keys}, count, seed)) {
     const std::vector<std::uint32_t> holders = areas.closed_at(p);
-    in_no_row += holders.empty();  // beside the frame
+    in_no_row += holders.empty() && is_inside(p);
     for (const std::uint32_t row : holders) {
       places.push_back({p.x, p.y});
       numbers.push_back(row);
