@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-static double F=getenv("F")?atof(getenv("F")):1;
+static double F = getenv("F") ? atof(getenv("F")) : 1;
 
 #include "base/call.h"
 

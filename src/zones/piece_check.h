@@ -85,7 +85,7 @@ class PieceCheck {
     double needed() const { return std::min({difference[0], difference[1], difference[2]}); }
   };
   Array<Relaxed> relaxed_;
-  double radius_ = 0;  ///< the largest one of circles that the piece cuts too deep
+  double radius_ = 0;               ///< the largest one of circles that the piece cuts too deep
   Array<HalfEdge> waiting_;         ///< sides of triangles that were reached; what is across may be reached too
   Array<std::uint32_t> triangles_;  ///< that were reached
   Array<std::uint32_t> slots_;      ///< a hash table of these; none where free

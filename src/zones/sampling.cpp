@@ -28,8 +28,7 @@ struct Checked {
 
 class Sampling {
  public:
-  Sampling(const Skeleton& skeleton, const Room& room)
-      : skeleton_(skeleton), room_(room), diagram_(skeleton.contacts) {
+  Sampling(const Skeleton& skeleton, const Room& room) : skeleton_(skeleton), room_(room), diagram_(skeleton.contacts) {
     for (const Point& p : room.ring) add_site({p, none});
     for (const LonePoint& point : skeleton.points) add_site({point.at, point.object});
     site_of_vertex_.resize(skeleton.object_of_vertex.size(), none);
@@ -240,11 +239,12 @@ class Sampling {
   /// Pieces that are to be checked again: those that were divided, and those that have a change near.
   Array<std::uint32_t> unsettled() const {
     Array<Array<std::uint32_t>> found(range_count(pieces_.size(), tuning::checked_pieces_a_range));
-    for_numbered_ranges(
-        pieces_.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t i, std::size_t end) {
-          for (; i < end; ++i)
-            if (is_unsettled(static_cast<std::uint32_t>(i))) found[range].push_back(static_cast<std::uint32_t>(i));
-        });
+    for_numbered_ranges(pieces_.size(), tuning::checked_pieces_a_range,
+                        [&](std::size_t range, std::size_t i, std::size_t end) {
+                          for (; i < end; ++i)
+                            if (is_unsettled(static_cast<std::uint32_t>(i)))
+                              found[range].push_back(static_cast<std::uint32_t>(i));
+                        });
     Array<std::uint32_t> all;
     for (const auto& range : found) all.insert(all.end(), range.begin(), range.end());
     return all;
@@ -278,9 +278,9 @@ class Sampling {
   std::uint32_t sites_ = 0;  ///< those that have one
   LargeArray<Piece> pieces_;
   PieceEnds ends_;
-  Array<Checked> checked_;             ///< by piece
+  Array<Checked> checked_;               ///< by piece
   LargeArray<std::uint32_t> triangles_;  ///< those of all pieces that are short enough
-  Array<std::uint32_t> parts_;         ///< by place in the list of pieces that were checked last
+  Array<std::uint32_t> parts_;           ///< by place in the list of pieces that were checked last
   Array<std::uint32_t> site_of_vertex_;
   Array<double> stops_;
 };

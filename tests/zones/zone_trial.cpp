@@ -189,6 +189,13 @@ const char* to_text(BrokenZones broken) {
   return names[static_cast<int>(broken)];
 }
 
+void ZoneFigures::add(const ZoneFigures& other) {
+  proved = std::max(proved, other.proved);
+  seen = std::max(seen, other.seen);
+  sites += other.sites;
+  excused += other.excused;
+}
+
 std::size_t ZoneQuestion::object_count() const {
   std::size_t count = 0;
   for (const auto* rows : {&region_rows, &line_rows, &point_rows})

@@ -45,6 +45,8 @@ struct ZoneFigures {
   double proved = 0;  ///< the epsilon that was proved, by the one that was asked for
   double seen = 0;    ///< the epsilon that was seen, by the one that was proved (with C)
   std::uint64_t sites = 0, excused = 0;
+
+  void add(const ZoneFigures& other);
 };
 
 /// A question drawn from the operands: polygons, their outlines as lines, their vertices as points, or all of them; one
