@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <cstdio>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -44,14 +42,8 @@ class Sampling {
     begin();
     for (Array<std::uint32_t> some = all_pieces(); !some.empty(); some = unsettled()) {
       ++sampled.rounds;
-      auto c0=(double)clock();
       check(some);
-      auto c1=(double)clock();
-      bool d=divide(some);
-      auto c2=(double)clock();
-      static size_t tot=0; static double ck=0,dv=0; tot+=some.size(); ck+=c1-c0; dv+=c2-c1;
-      if (sampled.rounds<9||!d) fprintf(stderr,"round %d checked %zu total %zu check %.2f divide %.2f pieces %zu\n",(int)sampled.rounds,some.size(),tot,ck/1e6,dv/1e6,pieces_.size());
-      if (!d) break;
+      if (!divide(some)) break;
     }
     sampled.rounds = std::max<std::uint64_t>(sampled.rounds, 1);
     return finished(sampled);
