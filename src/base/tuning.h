@@ -100,6 +100,7 @@ inline constexpr std::size_t row_vertices_a_range = choose("row_vertices_a_range
 inline constexpr std::size_t rings_a_task = choose("rings_a_task", 1024, 2);
 inline constexpr std::size_t joined_polygons_a_task = choose("joined_polygons_a_task", 512, 2);
 inline constexpr std::size_t centres_a_task = choose("centres_a_task", 4096, 8);
+inline constexpr std::size_t cells_a_range = choose("cells_a_range", 4096, 8);
 inline constexpr std::size_t checked_pieces_a_range = choose("checked_pieces_a_range", 1024, 4);
 inline constexpr std::size_t bounds_a_task = choose("bounds_a_task", 4096, 8);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-static double F = getenv("F") ? atof(getenv("F")) : 1;
 
 #include "base/call.h"
 
@@ -37,7 +35,7 @@ std::uint32_t PieceCheck::parts(std::uint32_t first, std::uint32_t last, std::ui
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
   // in, so this divides too little rather than too much.
   const double wanted = std::sqrt(8 * radius_ * room_.sampling);
-  return 1U << std::clamp(length_ > wanted ? std::ilogb(F * length_ / wanted) : 1, 1, 6);
+  return 1U << std::clamp(length_ > wanted ? std::ilogb(length_ / wanted) : 1, 1, 6);
 }
 
 /// The distance from the piece.

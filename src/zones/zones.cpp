@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "base/public_call.h"
@@ -15,6 +16,7 @@
 #include "zones/cell_borders.h"
 #include "zones/sampling.h"
 #include "zones/settled_edges.h"
+#include "zones/whole_cells.h"
 
 namespace oblast {
 using namespace internal;
@@ -45,17 +47,37 @@ void check_objects(const ShapeView& shapes, const RegionView& frame) {
   validate(frame, 3);
 }
 
+/// A row for each object.
+FeatureSet rows_of(KeyedResult result, std::uint32_t objects) {
+  FeatureSet rows{std::move(result.regions), {}, {}};
+  rows.feature_ends.reserve(objects);
+  rows.keys.reserve(objects);
+  std::uint32_t end = 0;
+  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
+    if (next < result.keys.size() && feature_key(result.keys[next]).a == i) end = result.feature_ends[next++];
+    rows.feature_ends.push_back(end);
+    rows.keys.push_back({i, no_feature});
+  }
+  return rows;
+}
+
+/// Whether the cells that may be rows as they are (whole_cells.h) are noded with the others.
+enum class WholeCellsAre { apart, noded };
+
 class Zones {
  public:
-  Zones(const Objects& objects, const RegionView& frame, const ZoneOptions& options, Control& control)
+  Zones(const Objects& objects, const RegionView& frame, const ZoneOptions& options, WholeCellsAre whole_cells,
+        Control& control)
       : objects_(objects),
+        whole_cells_(whole_cells),
         frame_(frame),
         options_(options),
         control_(control),
         room_(make_room(objects.shapes, frame, options)),
-        changes_(2 * std::size_t{objects.count} + 2) {}
+        changes_(2 * std::size_t{objects.count} + 3) {}
 
-  KeyedResult run(ZoneStatistics& statistics) {
+  /// Nothing if whole cells can not be kept apart.
+  std::optional<FeatureSet> run(ZoneStatistics& statistics) {
     statistics.tolerance = room_.tolerance;
     statistics.rounding = rounding_units * room_.unit;
     SettledObjects settled;
@@ -73,20 +95,32 @@ class Zones {
     add_limits(strands, statistics);
     Options options;
     options.statistics = &statistics.overlay;
-    return keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options, control_,
-                            statistics.overlay);
+    KeyedResult noded = keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options,
+                                         control_, statistics.overlay);
+    if (whole_.empty()) return rows_of(std::move(noded), objects_.count);
+    if (!has_outline(noded, rest(), whole_)) return {};
+    return zoning::rows_of(noded, whole_, objects_.count);
   }
 
  private:
-  std::uint32_t frame_source() const { return objects_.count; }
-  std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 1 : no_feature; }
+  /// Above all objects: all whole cells together, the frame, and how far zones reach.
+  std::uint32_t rest() const { return objects_.count; }
+  std::uint32_t frame_source() const { return objects_.count + 1; }
+  std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 2 : no_feature; }
+
+  RegionView frame() const {
+    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end_of_box_, 1}, {}};
+  }
 
   noding::Strands cells(const SettledObjects& settled, ZoneStatistics& statistics) {
     const Skeleton skeleton = find_skeleton(settled, room_);
-    const Sampled sampled = sample(skeleton, room_);
+    Sampled sampled = sample(skeleton, room_);
     statistics.sites = sampled.sites;
     statistics.rounds = sampled.rounds;
     statistics.error = sampled.error;
+    const std::optional<Box> rectangle = rectangle_of(frame());
+    if (skeleton.edges.empty() && rectangle && reach_source() == no_feature && whole_cells_ == WholeCellsAre::apart)
+      whole_ = take_whole_cells(sampled.diagram, *rectangle, rest());
     noding::Strands strands;
     // Points alone have nothing to flatten: all their borders are straight.
     const double flattening = skeleton.edges.empty() ? 0 : room_.flattening;
@@ -122,9 +156,7 @@ class Zones {
 
   /// The frame, and how far zones reach.
   void add_limits(noding::Strands& strands, ZoneStatistics& statistics) {
-    const std::uint32_t end = static_cast<std::uint32_t>(room_.box_frame.size());
-    add_region(room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end, 1}, {}}, frame_source(), strands,
-               statistics.overlay);
+    add_region(frame(), frame_source(), strands, statistics.overlay);
     if (reach_source() == no_feature) return;
     BufferOptions options;
     options.mode = BufferMode::outside;
@@ -155,26 +187,28 @@ class Zones {
     from = {};
   }
 
+  static constexpr std::uint32_t end_of_box_ = 4;
+
   const Objects& objects_;
+  const WholeCellsAre whole_cells_;
   const RegionView& frame_;
   const ZoneOptions& options_;
   Control& control_;
   const Room room_;
   noding::SourceChanges changes_;
+  WholeCells whole_;
 };
 
-/// A row for each object.
-FeatureSet rows_of(KeyedResult result, std::uint32_t objects) {
-  FeatureSet rows{std::move(result.regions), {}, {}};
-  rows.feature_ends.reserve(objects);
-  rows.keys.reserve(objects);
-  std::uint32_t end = 0;
-  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
-    if (next < result.keys.size() && feature_key(result.keys[next]).a == i) end = result.feature_ends[next++];
-    rows.feature_ends.push_back(end);
-    rows.keys.push_back({i, no_feature});
+/// Whole cells apart if that is possible.
+FeatureSet zones_of(const Objects& objects, const RegionView& frame, const ZoneOptions& options, Control& control,
+                    ZoneStatistics& statistics) {
+  std::optional<FeatureSet> rows;
+  for (const WholeCellsAre whole_cells : {WholeCellsAre::apart, WholeCellsAre::noded}) {
+    statistics = {};
+    rows = Zones(objects, frame, options, whole_cells, control).run(statistics);
+    if (rows) break;
   }
-  return rows;
+  return std::move(*rows);
 }
 
 }  // namespace
@@ -192,8 +226,7 @@ FeatureSet zones(const ShapeFeatures& features, const RegionView& frame, const Z
     ZoneStatistics statistics;
     FeatureSet rows;
     if (given > frame.points.size()) {
-      KeyedResult result = Zones(objects, frame, options, control).run(statistics);
-      rows = rows_of(std::move(result), objects.count);
+      rows = zones_of(objects, frame, options, control, statistics);
     } else {
       rows = rows_of({}, objects.count);
     }

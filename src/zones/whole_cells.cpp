@@ -1,0 +1,216 @@
+#include "zones/whole_cells.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "base/parallel.h"
+#include "exact/orientation.h"
+
+namespace oblast::internal::zoning {
+namespace {
+
+/// The cell of a vertex.
+class Cell {
+ public:
+  explicit Cell(const Diagram& diagram) : diagram_(diagram) {}
+
+  /// REQUIRES: the vertex is not on the hull.
+  void go_around(std::uint32_t vertex) {
+    ring.clear();
+    const HalfEdge begin = diagram_.leaving[vertex];
+    HalfEdge h = begin;
+    do {
+      const Point& p = diagram_.circle[triangulation::triangle_of(h)].centre;
+      if (ring.empty() || ring.back() != p) ring.push_back(p);
+      h = diagram_.mesh.counter_clockwise(h);
+    } while (h != begin);
+    while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), lexicographically_less), ring.end());
+  }
+
+  /// Whether it goes once around an area, to the left or straight on at each vertex. Along the order of coordinates
+  /// such a ring turns back at its first and its last vertex only.
+  bool is_convex() const {
+    int turns_back = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &p = ring[i == 0 ? ring.size() - 1 : i - 1], &q = ring[i], &r = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const int turn = exact::orientation(p, q, r);
+      if (turn < 0) return false;
+      if (lexicographically_less(p, q) == lexicographically_less(q, r)) continue;
+      if (turn == 0 || ++turns_back > 2) return false;
+    }
+    return ring.size() > 2;
+  }
+
+  bool is_within(const Box& box) const {
+    return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
+      return box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1;
+    });
+  }
+
+  Array<Point> ring;  ///< counter-clockwise, no two neighbours equal
+
+ private:
+  const Diagram& diagram_;
+};
+
+/// By vertex: whether it is the only one of its object.
+Array<bool> only_ones(const Diagram& diagram, std::uint32_t rest) {
+  Array<std::uint32_t> vertex_of(rest, none);
+  Array<bool> only(diagram.object.size(), false);
+  Steps steps(diagram.object.size());
+  for (std::uint32_t v = 0; v < diagram.object.size(); ++v) {
+    steps();
+    if (diagram.object[v] == none) continue;
+    std::uint32_t& first = vertex_of[diagram.object[v]];
+    only[first == none ? v : first] = first == none;
+    if (first == none) first = v;
+  }
+  return only;
+}
+
+/// The whole cells of a range of vertices.
+struct Found {
+  LargeArray<Point> points;
+  Array<std::uint32_t> vertices, sizes;
+};
+
+void add_outline(const Diagram& diagram, std::uint32_t vertex, std::uint32_t rest, WholeCells& cells) {
+  const Mesh& mesh = diagram.mesh;
+  const HalfEdge begin = diagram.leaving[vertex];
+  HalfEdge h = begin;
+  do {
+    // The border to the target of h comes from the triangle on its right.
+    const Point &from = diagram.circle[triangulation::triangle_of(mesh.twin(h))].centre,
+                &to = diagram.circle[triangulation::triangle_of(h)].centre;
+    if (diagram.object[mesh.target(h)] != rest && from != to) cells.outline.emplace_back(from, to);
+    h = mesh.counter_clockwise(h);
+  } while (h != begin);
+}
+
+bool edge_less(const std::pair<Point, Point>& p, const std::pair<Point, Point>& q) {
+  return p.first != q.first ? lexicographically_less(p.first, q.first) : lexicographically_less(p.second, q.second);
+}
+
+}  // namespace
+
+std::optional<Box> rectangle_of(const RegionView& frame) {
+  if (frame.contour_ends.size() != 1 || frame.points.size() != 4) return {};
+  const auto& p = frame.points;
+  const auto is_rectangle = [&](const Point& a, const Point& b, const Point& c, const Point& d) {
+    return a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
+  };
+  if (!is_rectangle(p[0], p[1], p[2], p[3]) && !is_rectangle(p[1], p[2], p[3], p[0])) return {};
+  return Box::of(p[0], p[2]);
+}
+
+WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t rest) {
+  const Array<bool> only = only_ones(diagram, rest);
+  Array<Found> found(range_count(only.size(), tuning::cells_a_range));
+  std::atomic<bool> all_convex = true;
+  for_numbered_ranges(only.size(), tuning::cells_a_range, [&](std::size_t range, std::size_t v, std::size_t end) {
+    Cell cell(diagram);
+    Found& here = found[range];
+    for (; v < end && all_convex.load(std::memory_order_relaxed); ++v) {
+      if (diagram.object[v] == none) continue;
+      const auto vertex = static_cast<std::uint32_t>(v);
+      cell.go_around(vertex);
+      if (!cell.is_convex()) all_convex = false;
+      if (!only[v] || !cell.is_within(frame)) continue;
+      here.points.insert(here.points.end(), cell.ring.begin(), cell.ring.end());
+      here.vertices.push_back(vertex);
+      here.sizes.push_back(static_cast<std::uint32_t>(cell.ring.size()));
+    }
+  });
+  if (!all_convex) return {};
+  WholeCells cells;
+  Array<std::size_t> begins;
+  std::size_t count = 0;
+  for (const Found& range : found) {
+    begins.push_back(count);
+    count += range.points.size();
+  }
+  check_count(count, "vertices of cells");
+  resize_uninitialized(cells.points, count);
+  for_ranges(found.size(), 1, [&](std::size_t i, std::size_t past) {
+    for (; i < past; ++i) std::copy(found[i].points.begin(), found[i].points.end(), cells.points.begin() + begins[i]);
+  });
+  std::uint32_t end = 0;
+  for (const Found& range : found) {
+    for (std::size_t i = 0; i < range.vertices.size(); ++i) {
+      cells.objects.push_back(diagram.object[range.vertices[i]]);
+      cells.ends.push_back(end += range.sizes[i]);
+      diagram.object[range.vertices[i]] = rest;
+    }
+  }
+  for (const Found& range : found)
+    for (const std::uint32_t v : range.vertices) add_outline(diagram, v, rest, cells);
+  std::sort(cells.outline.begin(), cells.outline.end(), edge_less);
+  return cells;
+}
+
+bool has_outline(const KeyedResult& noded, std::uint32_t rest, const WholeCells& cells) {
+  Array<std::pair<Point, Point>> edges;
+  const RegionView regions = noded.regions;
+  for (std::size_t row = 0; row < noded.keys.size(); ++row) {
+    if (noded.keys[row] != row_key(rest)) continue;
+    for (std::uint32_t p = row == 0 ? 0 : noded.feature_ends[row - 1]; p < noded.feature_ends[row]; ++p)
+      for (std::uint32_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
+        const auto contour = regions.contour(c);
+        for (std::size_t i = 0; i < contour.size(); ++i)
+          edges.emplace_back(contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]);
+      }
+  }
+  std::sort(edges.begin(), edges.end(), edge_less);
+  return edges == cells.outline;
+}
+
+FeatureSet rows_of(const KeyedResult& noded, const WholeCells& cells, std::uint32_t objects) {
+  Array<std::uint32_t> cell_of(objects, none);
+  for (std::uint32_t i = 0; i < cells.objects.size(); ++i) cell_of[cells.objects[i]] = i;
+  const RegionView from = noded.regions;
+  FeatureSet rows;
+  RegionSet& regions = rows.regions;
+  const std::size_t most_points = cells.points.size() + from.points.size();
+  check_count(most_points, "vertices of the result", most_vertices);
+  const Charge charge(bytes_of_regions(most_points, objects, objects));
+  resize_with_zeros(regions.points, most_points);
+  rows.feature_ends.reserve(objects);
+  rows.keys.reserve(objects);
+  struct Copy {
+    const Point* from;
+    std::uint32_t count, to;
+  };
+  Array<Copy> copies;
+  copies.reserve(objects);
+  std::uint32_t points = 0;
+  const auto add_contour = [&](std::span<const Point> contour) {
+    copies.push_back({contour.data(), static_cast<std::uint32_t>(contour.size()), points});
+    regions.contour_ends.push_back(points += static_cast<std::uint32_t>(contour.size()));
+  };
+  Steps steps(objects);
+  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
+    steps();
+    if (const std::uint32_t cell = cell_of[i]; cell != none) {
+      const std::uint32_t begin = cell == 0 ? 0 : cells.ends[cell - 1];
+      add_contour(std::span(cells.points).subspan(begin, cells.ends[cell] - begin));
+      regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
+    }
+    if (next < noded.keys.size() && feature_key(noded.keys[next]).a == i) {
+      for (std::uint32_t p = next == 0 ? 0 : noded.feature_ends[next - 1]; p < noded.feature_ends[next]; ++p) {
+        for (std::uint32_t c = from.polygon_begin(p); c < from.polygon_end(p); ++c) add_contour(from.contour(c));
+        regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
+      }
+      ++next;
+    }
+    rows.feature_ends.push_back(static_cast<std::uint32_t>(regions.polygon_ends.size()));
+    rows.keys.push_back({i, no_feature});
+  }
+  for_ranges(copies.size(), tuning::cells_a_range, [&](std::size_t i, std::size_t end) {
+    for (; i < end; ++i) std::copy_n(copies[i].from, copies[i].count, regions.points.begin() + copies[i].to);
+  });
+  regions.points.resize(points);
+  return rows;
+}
+
+}  // namespace oblast::internal::zoning
