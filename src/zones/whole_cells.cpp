@@ -33,7 +33,8 @@ class Cell {
   bool is_convex() const {
     int turns_back = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point &p = ring[i == 0 ? ring.size() - 1 : i - 1], &q = ring[i], &r = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const Point &p = ring[i == 0 ? ring.size() - 1 : i - 1], &q = ring[i],
+                  &r = ring[i + 1 == ring.size() ? 0 : i + 1];
       const int turn = exact::orientation(p, q, r);
       if (turn < 0) return false;
       if (lexicographically_less(p, q) == lexicographically_less(q, r)) continue;
@@ -43,9 +44,8 @@ class Cell {
   }
 
   bool is_within(const Box& box) const {
-    return std::all_of(ring.begin(), ring.end(), [&](const Point& p) {
-      return box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1;
-    });
+    return std::all_of(ring.begin(), ring.end(),
+                       [&](const Point& p) { return box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1; });
   }
 
   Array<Point> ring;  ///< counter-clockwise, no two neighbours equal

@@ -1,10 +1,11 @@
 // Cells of points that are polygons as they come from the diagram, so that they need no noding.
 //
-// Rounding moves the vertices of the diagram. Where every cell of an object is still a convex polygon, counter-clockwise
-// (or one with vertices on its sides), the winding number of each cell is 0 or 1 at every place. In the frame these add
-// up to 1 (docs/zones.md), so the cells do not overlap and leave no gap. Cells that lie strictly within a rectangular
-// frame are rows then. Only the others are noded, with the frame; to them, all whole cells together are one more object,
-// the rest. Noding may not have moved its outline: then whole cells and the others still share their borders.
+// Rounding moves the vertices of the diagram. Where every cell of an object is still a convex polygon,
+// counter-clockwise (or one with vertices on its sides), the winding number of each cell is 0 or 1 at every place. In
+// the frame these add up to 1 (docs/zones.md), so the cells do not overlap and leave no gap. Cells that lie strictly
+// within a rectangular frame are rows then. Only the others are noded, with the frame; to them, all whole cells
+// together are one more object, the rest. Noding may not have moved its outline: then whole cells and the others still
+// share their borders.
 #pragma once
 
 #include <oblast/features.h>
@@ -22,9 +23,9 @@ namespace oblast::internal::zoning {
 std::optional<Box> rectangle_of(const RegionView& frame);
 
 struct WholeCells {
-  LargeArray<Point> points;      ///< cell by cell, each from its smallest vertex, counter-clockwise
-  Array<std::uint32_t> ends;     ///< by cell
-  Array<std::uint32_t> objects;  ///< by cell; no object has two
+  LargeArray<Point> points;                ///< cell by cell, each from its smallest vertex, counter-clockwise
+  Array<std::uint32_t> ends;               ///< by cell
+  Array<std::uint32_t> objects;            ///< by cell; no object has two
   Array<std::pair<Point, Point>> outline;  ///< edges between whole cells and others, those on their left, sorted
 
   bool empty() const { return ends.empty(); }
