@@ -65,8 +65,8 @@ void GrowingDiagram::update(std::uint32_t triangle) {
   if (mesh.triangles[triangle].is_ghost()) return;
   const auto [a, b, c] = mesh.triangles[triangle].vertex;
   const std::uint32_t contact = diagram_.contact_of(triangle);
-  const Point centre = contact != none ? contacts_[contact].at
-                                       : exact::circumcentre(mesh.points[a], mesh.points[b], mesh.points[c]);
+  const Point centre =
+      contact != none ? contacts_[contact].at : exact::circumcentre(mesh.points[a], mesh.points[b], mesh.points[c]);
   diagram_.circle[triangle] = {centre, distance(centre, mesh.points[a])};
 }
 

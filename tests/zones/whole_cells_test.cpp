@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "generators/random.h"
+#include "zones/zone_rows.h"
 
 namespace oblast::testing {
 namespace {
@@ -93,7 +94,8 @@ WholeCells whole_cells(const std::vector<Point>& points, const Box& box, double 
   within_call([&] {
     std::vector<Site> sites;
     const Point m{(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
-    for (const Point d : {Point{far, 0}, {0, far}, {-far, 0}, {0, -far}}) sites.push_back({{m.x + d.x, m.y + d.y}, none});
+    for (const Point d : {Point{far, 0}, {0, far}, {-far, 0}, {0, -far}})
+      sites.push_back({{m.x + d.x, m.y + d.y}, none});
     for (std::uint32_t i = 0; i < points.size(); ++i) sites.push_back({points[i], i});
     GrowingDiagram growing({});
     growing.add(sites);
@@ -127,7 +129,8 @@ TEST(WholeCells, TellWhenNodingMovedTheirOutline) {
 
 TEST(WholeCells, OnlyInRectangles) {
   EXPECT_TRUE(rectangle_of(rectangle(0, 1, 2, 3)));
-  const RegionSet turned{{{0, 3}, {0, 1}, {2, 1}, {2, 3}}, {4}, {1}}, clockwise{{{0, 1}, {0, 3}, {2, 3}, {2, 1}}, {4}, {1}};
+  const RegionSet turned{{{0, 3}, {0, 1}, {2, 1}, {2, 3}}, {4}, {1}},
+      clockwise{{{0, 1}, {0, 3}, {2, 3}, {2, 1}}, {4}, {1}};
   EXPECT_EQ(rectangle_of(turned)->x1, 2);
   EXPECT_EQ(rectangle_of(clockwise)->y1, 3);
   EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {3, 3}, {0, 3}}, {4}, {1}}));
