@@ -191,6 +191,19 @@ void GrowingDelaunay::part_side(HalfEdge h, std::uint32_t p) {
   join_around(w, t);
 }
 
+/// True if c is inside the circle of t = (p, a, b). The circle of a ghost is the half-plane beyond its side of the
+/// hull.
+inline bool GrowingDelaunay::is_illegal(const Triangle& t, std::uint32_t p, std::uint32_t c) const {
+  const std::uint32_t a = t.vertex[1], b = t.vertex[2];
+  const auto& points = mesh_.points;
+  if (((a | b | c) >> 31) == 0) return in_circle(points[p], points[a], points[b], points[c]) > 0;
+  if (c == infinite_vertex) return false;
+  // t and its neighbour are ghosts with the sides (b, p) and (c, b), or (p, a) and (a, c). p may see the side of the
+  // neighbour, too.
+  if (a == infinite_vertex) return orientation(points[c], points[b], points[p]) > 0;
+  return orientation(points[a], points[c], points[p]) > 0;
+}
+
 /// Lawson's flips. All suspects have the new point p at vertex 0:
 ///
 ///        b                   b
@@ -231,19 +244,6 @@ void GrowingDelaunay::flip_illegal(std::uint32_t p, Steps& flips) {
     }
   }
   last_ = t;
-}
-
-/// True if c is inside the circle of t = (p, a, b). The circle of a ghost is the half-plane beyond its side of the
-/// hull.
-bool GrowingDelaunay::is_illegal(const Triangle& t, std::uint32_t p, std::uint32_t c) const {
-  const std::uint32_t a = t.vertex[1], b = t.vertex[2];
-  const auto& points = mesh_.points;
-  if (((a | b | c) >> 31) == 0) return in_circle(points[p], points[a], points[b], points[c]) > 0;
-  if (c == infinite_vertex) return false;
-  // t and its neighbour are ghosts with the sides (b, p) and (c, b), or (p, a) and (a, c). p may see the side of the
-  // neighbour, too.
-  if (a == infinite_vertex) return orientation(points[c], points[b], points[p]) > 0;
-  return orientation(points[a], points[c], points[p]) > 0;
 }
 
 }  // namespace oblast::internal::triangulation

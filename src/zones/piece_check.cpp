@@ -11,7 +11,8 @@ using triangulation::next;
 using triangulation::previous;
 using triangulation::triangle_of;
 
-std::uint32_t PieceCheck::parts(std::uint32_t first, std::uint32_t last, std::uint32_t object) {
+std::uint32_t PieceCheck::parts(const PieceEnds::Ends& piece) {
+  const auto [first, last, object] = piece;
   a_ = diagram_.mesh.points[first];
   b_ = diagram_.mesh.points[last];
   object_ = object;
@@ -33,18 +34,9 @@ std::uint32_t PieceCheck::parts(std::uint32_t first, std::uint32_t last, std::ui
     return 1;
   }
   // A chord of this length cuts a circle of this radius as deep as the tolerance. Circles become smaller as sites come
-  // in, so this divides too little rather than too much.
+  // in, so few pieces are divided too often.
   const double wanted = std::sqrt(8 * radius_ * room_.sampling);
-  return 1U << std::clamp(length_ > wanted ? std::ilogb(length_ / wanted) : 1, 1, 6);
-}
-
-/// The distance from the piece.
-double PieceCheck::apart(const Point& p) const {
-  const double x = p.x - a_.x, y = p.y - a_.y;
-  const double along = x * along_x_ + y * along_y_;
-  if (!(along > 0)) return distance(p, a_);
-  if (!(along < length_)) return distance(p, b_);
-  return std::fabs(x * along_y_ - y * along_x_);
+  return 1U << std::clamp(length_ > wanted ? std::ilogb(length_ / wanted) + 1 : 1, 1, 6);
 }
 
 void PieceCheck::begin_flood() {
@@ -166,7 +158,7 @@ void PieceCheck::relax(const Point& at, double from_piece, double radius, std::u
   for (const int i : {0, 1}) {
     end[i] = mesh.points[site];
     if (const std::uint32_t piece = ends_.at_vertex[site][i]; piece != none) {
-      const auto [first, last] = ends_.of_piece[piece];
+      const auto [first, last, object] = ends_.of_piece[piece];
       end[i] = mesh.points[first == site ? last : first];
     }
     keep(i, distance_from_segment(at, mesh.points[site], end[i]));

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -30,6 +31,7 @@ namespace oblast::internal::zoning {
 struct PieceEnds {
   struct Ends {
     std::uint32_t first, last;
+    std::uint32_t object;  ///< of the edge
   };
   LargeArray<Ends> of_piece;
   Array<std::array<std::uint32_t, 2>> at_vertex;  ///< two pieces of the object of the vertex that end there, or none
@@ -40,8 +42,8 @@ class PieceCheck {
   PieceCheck(const Diagram& diagram, const PieceEnds& ends, const Room& room)
       : diagram_(diagram), ends_(ends), room_(room), margin_(8 * room.unit) {}
 
-  /// Into how many parts the piece is to be divided: 1 if it is short enough. `first`, `last`: vertices of its ends.
-  std::uint32_t parts(std::uint32_t first, std::uint32_t last, std::uint32_t object);
+  /// Into how many parts the piece is to be divided: 1 if it is short enough.
+  std::uint32_t parts(const PieceEnds::Ends& piece);
 
   /// Whether the last piece is so near to sites of other objects, or to borders of their cells, that it may pass
   /// through them, once borders are flattened.
@@ -62,7 +64,15 @@ class PieceCheck {
   void look_at_crossing(HalfEdge side);
   void judge(const Point& at, double radius, std::span<const std::uint32_t> sites);
   void relax(const Point& at, double apart, double radius, std::uint32_t site);
-  double apart(const Point& p) const;
+
+  /// The distance from the piece.
+  double apart(const Point& p) const {
+    const double x = p.x - a_.x, y = p.y - a_.y;
+    const double along = x * along_x_ + y * along_y_;
+    if (!(along > 0)) return distance(p, a_);
+    if (!(along < length_)) return distance(p, b_);
+    return std::fabs(x * along_y_ - y * along_x_);
+  }
 
   const Diagram& diagram_;
   const PieceEnds& ends_;

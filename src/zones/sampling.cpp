@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/parallel.h"
+#include "base/call.h"
+#include "zones/checked_pieces.h"
 #include "zones/distance.h"
-#include "zones/piece_check.h"
 
 namespace oblast::internal::zoning {
 namespace {
@@ -15,15 +15,6 @@ namespace {
 struct Piece {
   std::uint32_t edge;
   double from, to;  ///< along the edge, from 0 to 1
-};
-
-/// What the last check of a piece found.
-struct Checked {
-  double error = 0;
-  std::size_t begin = 0;    ///< its triangles, in the list of all
-  std::uint32_t count = 0;  ///< how many
-  bool is_narrow = false;
-  bool is_settled = false;  ///< if it has no triangles: whether it is short enough whatever is near
 };
 
 class Sampling {
@@ -39,9 +30,9 @@ class Sampling {
   Sampled run() {
     Sampled sampled;
     begin();
-    for (Array<std::uint32_t> some = all_pieces(); !some.empty(); some = unsettled()) {
+    for (Array<std::uint32_t> some = all_pieces(); !some.empty(); some = checked_.unsettled(diagram_)) {
       ++sampled.rounds;
-      check(some);
+      parts_ = checked_.check(some, diagram_.diagram(), ends_, room_);
       if (!divide(some)) break;
     }
     sampled.rounds = std::max<std::uint64_t>(sampled.rounds, 1);
@@ -99,11 +90,11 @@ class Sampling {
       if (i == 0 && half > 0) site.contact = edge.low_contact;
       if (i + 1 == stops.size() && stops.size() > half && edge.high_contact != none) site.contact = edge.high_contact;
       const std::uint32_t next = add_site(site);
-      if (before != none) add_piece({e, from, stops[i]}, {before, next});
+      if (before != none) add_piece({e, from, stops[i]}, {before, next, edge.object});
       before = next;
       from = stops[i];
     }
-    if (edge.high_contact == none) add_piece({e, from, 1}, {before, site_of(edge.high_vertex, edge.high)});
+    if (edge.high_contact == none) add_piece({e, from, 1}, {before, site_of(edge.high_vertex, edge.high), edge.object});
   }
 
   void add_piece(const Piece& piece, const PieceEnds::Ends& ends) {
@@ -128,11 +119,11 @@ class Sampling {
     Steps steps(pieces_.size());
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
       steps();
-      auto& [first, last] = ends_.of_piece[i];
-      first = diagram_.vertex_of(first);
-      last = diagram_.vertex_of(last);
-      note_end(first, i);
-      note_end(last, i);
+      PieceEnds::Ends& ends = ends_.of_piece[i];
+      ends.first = diagram_.vertex_of(ends.first);
+      ends.last = diagram_.vertex_of(ends.last);
+      note_end(ends.first, i);
+      note_end(ends.last, i);
     }
   }
 
@@ -143,49 +134,16 @@ class Sampling {
   }
 
   void note_end(std::uint32_t vertex, std::uint32_t piece) {
-    if (diagram_.diagram().object[vertex] != skeleton_.edges[pieces_[piece].edge].object) return;
+    const std::uint32_t object = ends_.of_piece[piece].object;
+    if (diagram_.diagram().object[vertex] != object) return;
     auto& at = ends_.at_vertex[vertex];
-    if (at[0] == none)
-      at[0] = piece;
-    else if (at[1] == none && at[0] != piece)
-      at[1] = piece;
-  }
-
-  /// Checks some pieces, and fills parts_ for these.
-  void check(const Array<std::uint32_t>& some) {
-    const std::size_t ranges = range_count(some.size(), tuning::checked_pieces_a_range);
-    Array<Array<std::uint32_t>> triangles(ranges);
-    parts_.assign(some.size(), 1);
-    for_numbered_ranges(
-        some.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t k, std::size_t end) {
-          PieceCheck check(diagram_.diagram(), ends_, room_);
-          for (; k < end; ++k) {
-            const std::uint32_t i = some[k];
-            const auto [first, last] = ends_.of_piece[i];
-            parts_[k] = check.parts(first, last, skeleton_.edges[pieces_[i].edge].object);
-            const auto reached = parts_[k] == 1 ? check.triangles() : std::span<const std::uint32_t>{};
-            checked_[i] = {check.error(), triangles[range].size(), static_cast<std::uint32_t>(reached.size()),
-                           check.is_narrow(), parts_[k] == 1};
-            triangles[range].insert(triangles[range].end(), reached.begin(), reached.end());
-          }
-        });
-    keep_triangles(some, triangles);
-  }
-
-  void keep_triangles(const Array<std::uint32_t>& some, Array<Array<std::uint32_t>>& triangles) {
-    std::size_t count = triangles_.size();
-    Array<std::size_t> begins;
-    for (const auto& range : triangles) {
-      begins.push_back(count);
-      count += range.size();
+    if (at[0] == piece || at[1] == piece) return;
+    for (std::uint32_t& noted : at) {
+      // The vertex may have had another object before.
+      if (noted != none && ends_.of_piece[noted].object == object) continue;
+      noted = piece;
+      return;
     }
-    grow_uninitialized(triangles_, count);
-    for_numbered_ranges(
-        some.size(), tuning::checked_pieces_a_range, [&](std::size_t range, std::size_t k, std::size_t end) {
-          std::copy(triangles[range].begin(), triangles[range].end(), triangles_.begin() + begins[range]);
-          triangles[range] = {};
-          for (; k < end; ++k) checked_[some[k]].begin += begins[range];
-        });
   }
 
   /// Divides those of `some` that are too long. False if there are none.
@@ -205,7 +163,7 @@ class Sampling {
         if (n == 1)
           pieces_[i] = part;
         else
-          add_piece(part, {none, none});
+          add_piece(part, {none, none, edge.object});
         part.from = part.to;
       }
     }
@@ -222,11 +180,11 @@ class Sampling {
     for (std::size_t k = 0; k < some.size(); ++k) {
       steps();
       if (parts_[k] == 1) continue;
-      const std::uint32_t last = ends_.of_piece[some[k]].last;
+      const auto [first, last, object] = ends_.of_piece[some[k]];
       for (std::uint32_t n = 1, i = some[k]; n < parts_[k]; ++n) {
         const std::uint32_t v = diagram_.vertex_of(site++);
         ends_.of_piece[i].last = v;
-        ends_.of_piece[part] = {v, last};
+        ends_.of_piece[part] = {v, last, object};
         note_end(v, i);
         note_end(v, part);
         i = part++;
@@ -236,35 +194,14 @@ class Sampling {
     }
   }
 
-  /// Pieces that are to be checked again: those that were divided, and those that have a change near.
-  Array<std::uint32_t> unsettled() const {
-    Array<Array<std::uint32_t>> found(range_count(pieces_.size(), tuning::checked_pieces_a_range));
-    for_numbered_ranges(pieces_.size(), tuning::checked_pieces_a_range,
-                        [&](std::size_t range, std::size_t i, std::size_t end) {
-                          for (; i < end; ++i)
-                            if (is_unsettled(static_cast<std::uint32_t>(i)))
-                              found[range].push_back(static_cast<std::uint32_t>(i));
-                        });
-    Array<std::uint32_t> all;
-    for (const auto& range : found) all.insert(all.end(), range.begin(), range.end());
-    return all;
-  }
-
-  bool is_unsettled(std::uint32_t piece) const {
-    const Checked& checked = checked_[piece];
-    if (checked.count == 0) return !checked.is_settled;
-    const std::uint32_t* const t = triangles_.data() + checked.begin;
-    return std::any_of(t, t + checked.count, [&](std::uint32_t triangle) { return diagram_.is_near_change(triangle); });
-  }
-
   Sampled finished(Sampled sampled) {
     for (const Contact& contact : skeleton_.contacts) sampled.error = std::max(sampled.error, contact.radius);
     sampled.narrow.assign(skeleton_.edges.size(), false);
     for (std::uint32_t e = 0; e < skeleton_.edges.size(); ++e)
       sampled.narrow[e] = skeleton_.edges[e].low_contact != none || skeleton_.edges[e].high_contact != none;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      sampled.error = std::max(sampled.error, checked_[i].error);
-      if (checked_[i].is_narrow) sampled.narrow[pieces_[i].edge] = true;
+      sampled.error = std::max(sampled.error, checked_.error(i));
+      if (checked_.is_narrow(i)) sampled.narrow[pieces_[i].edge] = true;
     }
     sampled.sites = sites_ - room_.ring.size();
     sampled.diagram = diagram_.take();
@@ -278,9 +215,8 @@ class Sampling {
   std::uint32_t sites_ = 0;  ///< those that have one
   LargeArray<Piece> pieces_;
   PieceEnds ends_;
-  Array<Checked> checked_;               ///< by piece
-  LargeArray<std::uint32_t> triangles_;  ///< those of all pieces that are short enough
-  Array<std::uint32_t> parts_;           ///< by place in the list of pieces that were checked last
+  CheckedPieces checked_;
+  Array<std::uint32_t> parts_;  ///< by place in the list of pieces that were checked last
   Array<std::uint32_t> site_of_vertex_;
   Array<double> stops_;
 };

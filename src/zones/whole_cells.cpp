@@ -83,13 +83,9 @@ void add_outline(const Diagram& diagram, std::uint32_t vertex, std::uint32_t res
     // The border to the target of h comes from the triangle on its right.
     const Point &from = diagram.circle[triangulation::triangle_of(mesh.twin(h))].centre,
                 &to = diagram.circle[triangulation::triangle_of(h)].centre;
-    if (diagram.object[mesh.target(h)] != rest && from != to) cells.outline.emplace_back(from, to);
+    if (diagram.object[mesh.target(h)] != rest && from != to) cells.outline.push_back({from, to});
     h = mesh.counter_clockwise(h);
   } while (h != begin);
-}
-
-bool edge_less(const std::pair<Point, Point>& p, const std::pair<Point, Point>& q) {
-  return p.first != q.first ? lexicographically_less(p.first, q.first) : lexicographically_less(p.second, q.second);
 }
 
 }  // namespace
@@ -145,72 +141,8 @@ WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t re
   }
   for (const Found& range : found)
     for (const std::uint32_t v : range.vertices) add_outline(diagram, v, rest, cells);
-  std::sort(cells.outline.begin(), cells.outline.end(), edge_less);
+  std::sort(cells.outline.begin(), cells.outline.end());
   return cells;
-}
-
-bool has_outline(const KeyedResult& noded, std::uint32_t rest, const WholeCells& cells) {
-  Array<std::pair<Point, Point>> edges;
-  const RegionView regions = noded.regions;
-  for (std::size_t row = 0; row < noded.keys.size(); ++row) {
-    if (noded.keys[row] != row_key(rest)) continue;
-    for (std::uint32_t p = row == 0 ? 0 : noded.feature_ends[row - 1]; p < noded.feature_ends[row]; ++p)
-      for (std::uint32_t c = regions.polygon_begin(p); c < regions.polygon_end(p); ++c) {
-        const auto contour = regions.contour(c);
-        for (std::size_t i = 0; i < contour.size(); ++i)
-          edges.emplace_back(contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]);
-      }
-  }
-  std::sort(edges.begin(), edges.end(), edge_less);
-  return edges == cells.outline;
-}
-
-FeatureSet rows_of(const KeyedResult& noded, const WholeCells& cells, std::uint32_t objects) {
-  Array<std::uint32_t> cell_of(objects, none);
-  for (std::uint32_t i = 0; i < cells.objects.size(); ++i) cell_of[cells.objects[i]] = i;
-  const RegionView from = noded.regions;
-  FeatureSet rows;
-  RegionSet& regions = rows.regions;
-  const std::size_t most_points = cells.points.size() + from.points.size();
-  check_count(most_points, "vertices of the result", most_vertices);
-  const Charge charge(bytes_of_regions(most_points, objects, objects));
-  resize_with_zeros(regions.points, most_points);
-  rows.feature_ends.reserve(objects);
-  rows.keys.reserve(objects);
-  struct Copy {
-    const Point* from;
-    std::uint32_t count, to;
-  };
-  Array<Copy> copies;
-  copies.reserve(objects);
-  std::uint32_t points = 0;
-  const auto add_contour = [&](std::span<const Point> contour) {
-    copies.push_back({contour.data(), static_cast<std::uint32_t>(contour.size()), points});
-    regions.contour_ends.push_back(points += static_cast<std::uint32_t>(contour.size()));
-  };
-  Steps steps(objects);
-  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
-    steps();
-    if (const std::uint32_t cell = cell_of[i]; cell != none) {
-      const std::uint32_t begin = cell == 0 ? 0 : cells.ends[cell - 1];
-      add_contour(std::span(cells.points).subspan(begin, cells.ends[cell] - begin));
-      regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
-    }
-    if (next < noded.keys.size() && feature_key(noded.keys[next]).a == i) {
-      for (std::uint32_t p = next == 0 ? 0 : noded.feature_ends[next - 1]; p < noded.feature_ends[next]; ++p) {
-        for (std::uint32_t c = from.polygon_begin(p); c < from.polygon_end(p); ++c) add_contour(from.contour(c));
-        regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
-      }
-      ++next;
-    }
-    rows.feature_ends.push_back(static_cast<std::uint32_t>(regions.polygon_ends.size()));
-    rows.keys.push_back({i, no_feature});
-  }
-  for_ranges(copies.size(), tuning::cells_a_range, [&](std::size_t i, std::size_t end) {
-    for (; i < end; ++i) std::copy_n(copies[i].from, copies[i].count, regions.points.begin() + copies[i].to);
-  });
-  regions.points.resize(points);
-  return rows;
 }
 
 }  // namespace oblast::internal::zoning

@@ -8,12 +8,11 @@
 // share their borders.
 #pragma once
 
-#include <oblast/features.h>
+#include <oblast/region_set.h>
 
+#include <cstdint>
 #include <optional>
-#include <utility>
 
-#include "features/keyed_overlay.h"
 #include "plane/box.h"
 #include "zones/diagram.h"
 
@@ -22,11 +21,21 @@ namespace oblast::internal::zoning {
 /// The rectangle along the axes that a frame is; nothing if it is none.
 std::optional<Box> rectangle_of(const RegionView& frame);
 
+/// An edge of a contour.
+struct OutlineEdge {
+  Point from, to;
+
+  friend bool operator==(const OutlineEdge&, const OutlineEdge&) = default;
+  friend bool operator<(const OutlineEdge& p, const OutlineEdge& q) {
+    return p.from != q.from ? lexicographically_less(p.from, q.from) : lexicographically_less(p.to, q.to);
+  }
+};
+
 struct WholeCells {
-  LargeArray<Point> points;                ///< cell by cell, each from its smallest vertex, counter-clockwise
-  Array<std::uint32_t> ends;               ///< by cell
-  Array<std::uint32_t> objects;            ///< by cell; no object has two
-  Array<std::pair<Point, Point>> outline;  ///< edges between whole cells and others, those on their left, sorted
+  LargeArray<Point> points;      ///< cell by cell, each from its smallest vertex, counter-clockwise
+  Array<std::uint32_t> ends;     ///< by cell
+  Array<std::uint32_t> objects;  ///< by cell; no object has two
+  Array<OutlineEdge> outline;    ///< edges between whole cells and others, those on their left, sorted
 
   bool empty() const { return ends.empty(); }
 };
@@ -34,11 +43,5 @@ struct WholeCells {
 /// Finds the whole cells, and gives their vertices to the object `rest`. Finds none if the cell of some object is not
 /// convex. Objects with several vertices have no whole cells. REQUIRES: all sites are points, not samples.
 WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t rest);
-
-/// Whether the row `rest` has just the outline of the whole cells.
-bool has_outline(const KeyedResult& noded, std::uint32_t rest, const WholeCells& cells);
-
-/// A row for each object: its whole cell, or what was noded.
-FeatureSet rows_of(const KeyedResult& noded, const WholeCells& cells, std::uint32_t objects);
 
 }  // namespace oblast::internal::zoning

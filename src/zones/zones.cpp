@@ -17,6 +17,7 @@
 #include "zones/sampling.h"
 #include "zones/settled_edges.h"
 #include "zones/whole_cells.h"
+#include "zones/zone_rows.h"
 
 namespace oblast {
 using namespace internal;
@@ -45,20 +46,6 @@ void check_objects(const ShapeView& shapes, const RegionView& frame) {
   const std::uint32_t all_points[] = {checked_index(shapes.points.size(), "points in one call", most_vertices)};
   validate(RegionView{shapes.points, std::span(all_points).first(shapes.points.empty() ? 0 : 1), {}}, 2);
   validate(frame, 3);
-}
-
-/// A row for each object.
-FeatureSet rows_of(KeyedResult result, std::uint32_t objects) {
-  FeatureSet rows{std::move(result.regions), {}, {}};
-  rows.feature_ends.reserve(objects);
-  rows.keys.reserve(objects);
-  std::uint32_t end = 0;
-  for (std::uint32_t i = 0, next = 0; i < objects; ++i) {
-    if (next < result.keys.size() && feature_key(result.keys[next]).a == i) end = result.feature_ends[next++];
-    rows.feature_ends.push_back(end);
-    rows.keys.push_back({i, no_feature});
-  }
-  return rows;
 }
 
 /// Whether the cells that may be rows as they are (whole_cells.h) are noded with the others.
@@ -97,9 +84,8 @@ class Zones {
     options.statistics = &statistics.overlay;
     KeyedResult noded = keyed_overlay_of(std::move(strands), KeyRule::lowest(frame_source(), reach_source()), options,
                                          control_, statistics.overlay);
-    if (whole_.empty()) return rows_of(std::move(noded), objects_.count);
-    if (!has_outline(noded, rest(), whole_)) return {};
-    return zoning::rows_of(noded, whole_, objects_.count);
+    if (!whole_.empty() && !has_outline(noded, rest(), whole_)) return {};
+    return rows_of(std::move(noded), whole_, objects_.count);
   }
 
  private:
@@ -109,7 +95,7 @@ class Zones {
   std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 2 : no_feature; }
 
   RegionView frame() const {
-    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end_of_box_, 1}, {}};
+    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&corners_of_box_, 1}, {}};
   }
 
   noding::Strands cells(const SettledObjects& settled, ZoneStatistics& statistics) {
@@ -187,7 +173,7 @@ class Zones {
     from = {};
   }
 
-  static constexpr std::uint32_t end_of_box_ = 4;
+  static constexpr std::uint32_t corners_of_box_ = 4;
 
   const Objects& objects_;
   const WholeCellsAre whole_cells_;
@@ -228,7 +214,7 @@ FeatureSet zones(const ShapeFeatures& features, const RegionView& frame, const Z
     if (given > frame.points.size()) {
       rows = zones_of(objects, frame, options, control, statistics);
     } else {
-      rows = rows_of({}, objects.count);
+      rows = rows_of({}, {}, objects.count);
     }
     if (options.statistics) {
       const RegionView lines{shapes.lines.points, shapes.lines.line_ends, {}};

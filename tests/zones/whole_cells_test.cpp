@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "generators/random.h"
+#include "zones/zone_rows.h"
 
 namespace oblast::testing {
 namespace {
