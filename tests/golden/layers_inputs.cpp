@@ -24,7 +24,7 @@ void add_polygon(RegionSet& regions, const Json& rings) {
 RegionSet read(const fs::path& file) {
   std::ifstream stream(file);
   RegionSet regions;
-  const Json collection = Json::parse(stream);
+  const Json collection = Json::parse(stream);  // kept: a loop over a part of a temporary has nothing to go over
   for (const Json& feature : collection.at("features")) {
     const Json& geometry = feature.at("geometry");
     const Json& coordinates = geometry.at("coordinates");
@@ -36,6 +36,7 @@ RegionSet read(const fs::path& file) {
       throw std::runtime_error(file.string() + ": neither Polygon nor MultiPolygon");
     }
   }
+  if (regions.points.empty()) throw std::runtime_error(file.string() + ": no polygons");
   return regions;
 }
 
