@@ -95,7 +95,7 @@ class Zones {
   std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 2 : no_feature; }
 
   RegionView frame() const {
-    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&end_of_box_, 1}, {}};
+    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&box_end_, 1}, {}};
   }
 
   noding::Strands cells(const SettledObjects& settled, ZoneStatistics& statistics) {
@@ -173,14 +173,13 @@ class Zones {
     from = {};
   }
 
-  static constexpr std::uint32_t end_of_box_ = 4;
-
   const Objects& objects_;
   const WholeCellsAre whole_cells_;
   const RegionView& frame_;
   const ZoneOptions& options_;
   Control& control_;
   const Room room_;
+  const std::uint32_t box_end_ = static_cast<std::uint32_t>(room_.box_frame.size());
   noding::SourceChanges changes_;
   WholeCells whole_;
 };
