@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/distance.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
 
@@ -17,9 +18,16 @@ bool cross(const Stroke& s, const Stroke& t) {
          side_of_line(t.a, t.b, s.a) * side_of_line(t.a, t.b, s.b) < 0;
 }
 
+bool touches(const Stroke& s, const Stroke& t) {
+  const auto has = [](const Stroke& e, const Point& p) { return p == e.a || p == e.b || has_inside(e, p); };
+  return has(s, t.a) || has(s, t.b) || has(t, s.a) || has(t, s.b);
+}
+
 /// Within `distance` of the edge, but not on it.
 bool is_beside(const Point& p, const Stroke& s, double distance) {
   if (p == s.a || p == s.b || distance == 0 || has_inside(s, p)) return false;
+  const Interval found = estimated_distance(p, s);
+  if (found.high <= distance || found.low > distance) return found.high <= distance;
   return squared_distance(RationalPoint(p), s.a, s.b) <= Rational(distance) * Rational(distance);
 }
 
@@ -62,22 +70,26 @@ void ZoneArrangement::collect(const JudgedZones& zones) {
 }
 
 // Edges that cross at a place that is no double, and those that come near to another one without touching it there.
+// Borders of cells cut the frame, and near places where objects meet also these, at places beside them.
 void ZoneArrangement::find_moved(double moved) {
   for (ZoneEdge& s : edges_) {
     if (s.of == ZoneEdge::row) continue;
+    bool is_cut_by_rows = false, meets_others = s.of == ZoneEdge::frame;
     for_each_near(s, moved, [&](const ZoneEdge& t) {
       if (s.may_move) return;
       if (t.of == ZoneEdge::row) {
-        // The frame is cut by borders, at places beside it.
-        if (s.of == ZoneEdge::frame) s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved);
+        is_cut_by_rows = is_cut_by_rows || is_beside(t.a, s, moved) || is_beside(t.b, s, moved);
       } else if (cross(s, t)) {
         const auto at = intersection_of_segments(s.a, s.b, t.a, t.b);
         s.may_move = !is_double(at->x) || !is_double(at->y);
+        meets_others = true;
       } else {
         s.may_move = is_beside(t.a, s, moved) || is_beside(t.b, s, moved) || is_beside(s.a, t, moved) ||
                      is_beside(s.b, t, moved);
+        meets_others = meets_others || (t.object != s.object && touches(s, t));
       }
     });
+    s.may_move = s.may_move || (is_cut_by_rows && meets_others);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "verify/distance.h"
 #include "verify/edges.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
@@ -58,7 +59,14 @@ class CoverCheck {
     if (s.of != ZoneEdge::line) return;
     const std::vector<std::uint32_t> holders = holders_of(s, middle);
     if (is_in_own_row(s, middle, holders)) return;
-    if (s.may_move && is_near_row(holders, from) && is_near_row(holders, middle) && is_near_row(holders, to))
+    const auto everywhere = [&](const auto& is_excused) {
+      return is_excused(from) && is_excused(middle) && is_excused(to);
+    };
+    if (everywhere([&](const Location& p) {
+          std::vector<std::uint32_t> near = holders;
+          return is_in_near_row(near, p);
+        }) ||
+        (s.may_move && everywhere([&](const Location& p) { return is_near_row(holders, p); })))
       ++measures_.excused;
     else
       fail("a line of object " + std::to_string(s.object) + " is not in its row", middle.rounded());
@@ -115,10 +123,19 @@ class CoverCheck {
     const std::vector<std::uint32_t> rows = all_.rows().closed_at(s.a);
     const std::vector<std::uint32_t> holders = holders_of(s);
     if (holds_any(rows, holders)) return;
-    if (s.may_move && is_near_row(holders, Location(s.a)))
+    if ((s.may_move || touches_moved(s)) && is_near_row(holders, Location(s.a)))
       ++measures_.excused;
     else
       fail("a point of object " + std::to_string(s.object) + " is in row " + text(rows), s.a);
+  }
+
+  /// Whether the point is on an edge that may have moved. Where such edges make a thin spike, its end may be gone.
+  bool touches_moved(const ZoneEdge& point) const {
+    bool found = false;
+    all_.for_each_near(point, 0, [&](const ZoneEdge& t) {
+      found |= t.of != ZoneEdge::row && t.may_move && (t.a == point.a || t.b == point.a || has_inside(t, point.a));
+    });
+    return found;
   }
 
   /// The objects that may have a point: regions and lines that hold it, else the lowest of equal points.
@@ -137,18 +154,22 @@ class CoverCheck {
     return holders;
   }
 
-  /// Whether the place is in the row of a holder or of an object that is as near as edges may have moved, or so near to
-  /// one; or as near to where the frame may have moved.
-  bool is_near_row(std::vector<std::uint32_t> holders, const Location& p) const {
-    const ZoneEdge here{{p.rounded(), p.rounded()}, ZoneEdge::line};
+  /// Whether the place is in the row of a holder, or of an object that is as near as edges may have moved; or so near
+  /// to where the frame may have moved. Adds these objects to the holders.
+  bool is_in_near_row(std::vector<std::uint32_t>& holders, const Location& p) const {
     bool found = false;
-    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
+    all_.for_each_near(at(p), bounds_.moved, [&](const ZoneEdge& t) {
       if (t.of == ZoneEdge::row || !is_near(p, t)) return;
       if (t.of == ZoneEdge::frame) found |= t.may_move;
       if (t.object != no_feature) holders.push_back(t.object);
     });
-    found = found || holds_any(all_.rows().closed_at(p.rounded()), holders);
-    all_.for_each_near(here, bounds_.moved, [&](const ZoneEdge& t) {
+    return found || holds_any(all_.rows().closed_at(p.rounded()), holders);
+  }
+
+  /// The same, or the place is near to such a row.
+  bool is_near_row(std::vector<std::uint32_t> holders, const Location& p) const {
+    bool found = is_in_near_row(holders, p);
+    all_.for_each_near(at(p), bounds_.moved, [&](const ZoneEdge& t) {
       if (found || t.of != ZoneEdge::row || !is_near(p, t)) return;
       const auto sides = all_.rows().beside(Location(Location(t.a), Location(t.b)), t.a.y == t.b.y);
       found = holds_any(sides.first, holders) || holds_any(sides.second, holders);
@@ -156,22 +177,30 @@ class CoverCheck {
     return found;
   }
 
+  static ZoneEdge at(const Location& p) { return {{p.rounded(), p.rounded()}, ZoneEdge::line}; }
+
   bool is_near(const Location& p, const Stroke& s) const {
+    const Box box = p.box();
+    const double off = (box.high.x - box.low.x) + (box.high.y - box.low.y);
+    const Interval found = estimated_distance(p.rounded(), s);
+    if ((found.high + off) * (1 + 0x1p-50) <= bounds_.moved) return true;
+    if ((found.low - off) * (1 - 0x1p-50) > bounds_.moved) return false;
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver: on both of its sides are edges that may have moved, or the row edges in the
-  /// place of one of them.
+  /// Whether the piece is beside a sliver, or crosses one: a sliver lies between an edge that may have moved and
+  /// another such edge, or the row edges in its place.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
-    if (bounds_.moved == 0 || (s.of != ZoneEdge::row && !s.may_move)) return false;
+    if (bounds_.moved == 0) return false;
     for (const Location* p : {&from, &middle, &to}) {
-      bool found = false;
-      all_.for_each_near({{p->rounded(), p->rounded()}, ZoneEdge::line}, 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (found || &t == &s || (t.of == ZoneEdge::row ? s.of == ZoneEdge::row : !t.may_move)) return;
+      bool moved = s.of != ZoneEdge::row && s.may_move, other = s.of == ZoneEdge::row;
+      all_.for_each_near(at(*p), 2 * bounds_.moved, [&](const ZoneEdge& t) {
+        if (&t == &s || (t.of == ZoneEdge::row ? s.of == ZoneEdge::row : !t.may_move)) return;
         if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
-        found = is_near(*p, t);
+        bool& found = t.of == ZoneEdge::row || moved ? other : moved;
+        found = found || is_near(*p, t);
       });
-      if (!found) return false;
+      if (!moved || !other) return false;
     }
     return is_right_away_from(s, middle);
   }

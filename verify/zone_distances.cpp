@@ -2,13 +2,13 @@
 // compared as rational numbers.
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 #include "verify/distance.h"
 #include "verify/edges.h"
 #include "verify/predicates.h"
 #include "verify/rows.h"
+#include "verify/zone_places.h"
 #include "verify/zones.h"
 
 namespace oblast::verify {
@@ -24,49 +24,23 @@ class DistanceCheck {
         std::vector<Stroke> edges;
         for (const std::span<const Point> ring : polygon.contours())
           for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-        borders_.insert(borders_.end(), edges.begin(), edges.end());
         rows_.add(std::move(edges), zones.keys[r].a);
       }
     rows_.build();
     for (const PolygonView polygon : zones.frame.polygons()) frame_.add(boundary_of(polygon), 0);
     frame_.build();
-    for (const Area& area : frame_.areas) frame_box_.add(area.box());
   }
 
   std::optional<Fault> run(ZoneDistanceMeasures* measures) {
-    std::mt19937_64 random(bounds_.seed);
-    const auto unit = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-    for (std::uint64_t k = 0; k < bounds_.places && !fault_ && !frame_box_.empty(); ++k) {
-      const Point &low = frame_box_.low, &high = frame_box_.high;
-      check({low.x + (high.x - low.x) * unit(), low.y + (high.y - low.y) * unit()});
-    }
-    // All edges in turn if there are few, else some of them.
-    const bool is_few = borders_.size() * places_by_edge <= bounds_.places;
-    const std::uint64_t edges = is_few ? borders_.size() : bounds_.places / places_by_edge + 1;
-    for (std::uint64_t k = 0; k < edges && !fault_ && !borders_.empty(); ++k) {
-      const Stroke& e = borders_[is_few ? k : random() % borders_.size()];
-      const double t = unit();
-      const Point places[] = {e.a, at(e, 0.5), at(e, t)};
-      for (const Point& p : places) {
-        check(p);
-        check({step(p.x, random()), step(p.y, random())});
-      }
+    for (const Point& p : zone_places(zones_, bounds_.places, bounds_.seed)) {
+      check(p);
+      if (fault_) break;
     }
     if (measures) *measures = measures_;
     return fault_;
   }
 
  private:
-  static constexpr std::uint64_t places_by_edge = 6;
-
-  static Point at(const Stroke& e, double t) { return {e.a.x + (e.b.x - e.a.x) * t, e.a.y + (e.b.y - e.a.y) * t}; }
-
-  /// Up to 4 units in the last place away.
-  static double step(double x, std::uint64_t random) {
-    const double unit = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
-    return x + (static_cast<double>(random % 9) - 4) * unit;
-  }
-
   struct Near {
     const ZoneObjects::Edge* edge;
     Interval distance;
@@ -111,17 +85,27 @@ class DistanceCheck {
     if (own_.empty() || !holders.empty()) find_own(p, own);
     Interval mine{HUGE_VAL, HUGE_VAL};
     for (const Near& n : own_) mine = least(mine, n.distance);
-    if (others.high < HUGE_VAL) {
-      const double excess = (mine.low + mine.high) / 2 - (others.low + others.high) / 2;
-      measures_.epsilon = std::max(measures_.epsilon, excess);
-    }
     if (own_.empty()) return fail("row " + std::to_string(own) + " has no object", p);
+    const std::uint64_t excused = measures_.excused;
     if (!is_surely_within(mine, others) && !is_exactly_within(p, mine, holders))
       fail("object " + std::to_string(own) + " is further than another one by " +
                std::to_string((mine.high - others.low) / bounds_.epsilon) + " epsilon",
            p);
-    if (mine.high * (1 + 0x1p-50) > bounds_.upper && squared_distance_of(p, mine) > squared(Rational(bounds_.upper)))
-      fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
+    if (others.high < HUGE_VAL && measures_.excused == excused) {
+      const double excess = (mine.low + mine.high) / 2 - (others.low + others.high) / 2;
+      measures_.epsilon = std::max(measures_.epsilon, excess);
+    }
+    if (is_too_far(p, mine)) fail("a place of row " + std::to_string(own) + " is further than the largest distance", p);
+  }
+
+  /// The largest distance is kept from all of an object, also from parts that are too thin to have a zone.
+  bool is_too_far(const Point& p, const Interval& mine) {
+    if (mine.high * (1 + 0x1p-50) <= bounds_.upper || squared_distance_of(p, mine) <= squared(Rational(bounds_.upper)))
+      return false;
+    const bool is_excused =
+        std::any_of(near_.begin(), near_.end(), [&](const Near& n) { return is_thin_at(p, *n.edge); });
+    measures_.excused += is_excused;
+    return !is_excused;
   }
 
   static Interval least(const Interval& a, const Interval& b) {
@@ -169,7 +153,8 @@ class DistanceCheck {
     const double ex = e.b.x - e.a.x, ey = e.b.y - e.a.y, length = std::sqrt(ex * ex + ey * ey);
     const double along = std::clamp(((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length), 0.0, 1.0);
     const double step = std::min(64 * bounds_.moved / length, 0.5);
-    const Point aside = at(e, along < 0.5 ? along + step : along - step);
+    const double t = along < 0.5 ? along + step : along - step;
+    const Point aside{e.a.x + ex * t, e.a.y + ey * t};
     bool found = false;
     const auto limit = [&] { return 2 * bounds_.moved; };
     zones_.objects.tree.near(aside, limit, [&](std::uint32_t k) {
@@ -222,9 +207,7 @@ class DistanceCheck {
 
   const JudgedZones& zones_;
   const ZoneDistanceBounds& bounds_;
-  std::vector<Stroke> borders_;
   NumberedAreas rows_, frame_;
-  Box frame_box_;
   std::vector<Near> near_, own_;
   ZoneDistanceMeasures measures_;
   std::optional<Fault> fault_;

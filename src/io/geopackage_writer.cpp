@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "io/attribute_data.h"
 #include "io/geopackage_index.h"
@@ -37,35 +38,39 @@ constexpr double rows_end = 0.5, index_end = 0.7;
 // Makes all rows on all cores, and hands batches to `take` in their order. It is the stretch [from, to] of the whole.
 template <class Take>
 void for_all_batches(const GeopackageRows& output, std::int32_t srs_id, double from, double to, const Take& take) {
+  const std::size_t rows = output.rows.feature_count(), count = (rows + batch_size - 1) / batch_size;
+  const std::size_t tokens = 4 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  // oneTBB loses what its tokens own when a filter throws. So tokens are numbers, and batches are kept here: as the
+  // last filter is in order, a batch is taken before the number comes that uses its place again.
+  std::vector<Batch> batches(std::min(tokens, count));
   std::size_t next = 0;
-  const std::size_t rows = output.rows.feature_count();
   const auto begin = [&](tbb::flow_control& control) {
-    if (next >= rows) control.stop();
-    return std::exchange(next, next + batch_size);
+    if (next >= count) control.stop();
+    return next++;
   };
-  const auto make = [&](std::size_t first) {
-    auto batch = std::make_shared<Batch>();
-    batch->first = first;
-    batch->rows.resize(std::min(batch_size, rows - first));
-    for (std::size_t i = 0; i < batch->rows.size(); ++i) {
-      Row& row = batch->rows[i];
+  const auto make = [&](std::size_t number) {
+    Batch& batch = batches[number % tokens];
+    batch = {number * batch_size, {}};
+    batch.rows.resize(std::min(batch_size, rows - batch.first));
+    for (std::size_t i = 0; i < batch.rows.size(); ++i) {
+      Row& row = batch.rows[i];
       row.fields = std::make_unique<OGRFeature>(&output.definition);
-      output.fields.fill(*row.fields, first + i);
-      if (output.rows.feature_begin(first + i) < output.rows.feature_end(first + i))
-        geopackage_blob(output.rows, first + i, output.shape, srs_id, row.blob, row.box);
+      output.fields.fill(*row.fields, batch.first + i);
+      if (output.rows.feature_begin(batch.first + i) < output.rows.feature_end(batch.first + i))
+        geopackage_blob(output.rows, batch.first + i, output.shape, srs_id, row.blob, row.box);
     }
-    return batch;
+    return number;
   };
-  const auto last = [&](const std::shared_ptr<Batch>& batch) {
-    take(*batch);
-    const double share = static_cast<double>(batch->first + batch->rows.size()) / static_cast<double>(rows);
+  const auto last = [&](std::size_t number) {
+    const Batch batch = std::exchange(batches[number % tokens], {});
+    take(batch);
+    const double share = static_cast<double>(batch.first + batch.rows.size()) / static_cast<double>(rows);
     if (output.progress) output.progress(from + (to - from) * share);
   };
-  const std::size_t tokens = 4 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   using Mode = tbb::filter_mode;
   tbb::parallel_pipeline(tokens, tbb::make_filter<void, std::size_t>(Mode::serial_in_order, begin) &
-                                     tbb::make_filter<std::size_t, std::shared_ptr<Batch>>(Mode::parallel, make) &
-                                     tbb::make_filter<std::shared_ptr<Batch>, void>(Mode::serial_in_order, last));
+                                     tbb::make_filter<std::size_t, std::size_t>(Mode::parallel, make) &
+                                     tbb::make_filter<std::size_t, void>(Mode::serial_in_order, last));
 }
 
 std::string date_text(const OGRFeature& feature, int field) {

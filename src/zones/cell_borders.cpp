@@ -115,7 +115,8 @@ class Walker {
     for (std::size_t from = 0; from < last;) {
       std::size_t to = from + 1;
       while (to < last && to - from < longest_flattened && is_near(from, to + 1)) ++to;
-      path_[kept++] = path_[to];
+      // What is left out may have been all that lies between a vertex and itself.
+      if (path_[to] != path_[kept - 1]) path_[kept++] = path_[to];
       from = to;
     }
     path_.resize(kept);
@@ -132,6 +133,7 @@ class Walker {
   void close(HalfEdge side, std::size_t least) {
     if (path_.size() < least) return;
     if (flattening_ > 0 && path_.size() > least) flatten();
+    if (path_.size() < 2) return;
     const std::uint32_t left = diagram_.object[mesh_.origin(side)], right = diagram_.object[mesh_.target(side)];
     strands_.points.insert(strands_.points.end(), path_.begin(), path_.end());
     strands_.close_strand({0, change(left, right)}, noding::any_group);

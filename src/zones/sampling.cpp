@@ -80,13 +80,15 @@ class Sampling {
     const std::size_t half = stops.size();
     add_shells(edge.high_contact, true);
     std::reverse(stops.begin() + static_cast<std::ptrdiff_t>(half), stops.end());
+    const bool has_contact = edge.low_contact != none || edge.high_contact != none;
+    if (has_contact && stops.empty()) stops.push_back(0.5);  // Shorter than the least radius: one site all the same.
     std::uint32_t before = edge.low_contact == none ? site_of(edge.low_vertex, edge.low) : none;
     double from = 0;
     for (std::size_t i = 0; i < stops.size(); ++i) {
       if (i > 0 && !(stops[i] > stops[i - 1])) continue;
       Site site{place(edge, stops[i]), edge.object};
-      if (i == 0 && edge.low_contact != none) site.contact = edge.low_contact;
-      if (i + 1 == stops.size() && edge.high_contact != none) site.contact = edge.high_contact;
+      if (i == 0 && half > 0) site.contact = edge.low_contact;
+      if (i + 1 == stops.size() && stops.size() > half && edge.high_contact != none) site.contact = edge.high_contact;
       const std::uint32_t next = add_site(site);
       if (before != none) add_piece({e, from, stops[i]}, {before, next, edge.object});
       before = next;

@@ -15,24 +15,31 @@ using noding::Winding;
 
 Point clean(const Point& p) { return {p.x + 0.0, p.y + 0.0}; }
 
-std::int32_t once(std::uint32_t object) { return static_cast<std::int32_t>(object) + 1; }
+std::int32_t once(std::uint32_t source) { return static_cast<std::int32_t>(source) + 1; }
 
-/// The line as paths that ascend. Appends it to `points` if it has no length.
-void add_line(std::span<const Point> line, std::uint32_t object, Strands& strands, Array<LonePoint>& points) {
+/// The line as paths that ascend lexicographically, and along which y rises, or falls. Noding may make pieces of an
+/// edge vertical, and these turn around where y falls. So paths that fall have a source of their own: then no two
+/// pieces of one source run in opposite directions, and none cancel. Appends the line to `points` if it has no length.
+void add_line(std::span<const Point> line, std::uint32_t object, std::uint32_t objects, Strands& strands,
+              Array<LonePoint>& points) {
   Array<Point> path;
   for (const Point& p : line)
     if (path.empty() || path.back() != clean(p)) path.push_back(clean(p));
   if (path.size() == 1) points.push_back({path[0], object});
+  const auto ascends = [&](std::size_t i) { return lexicographically_less(path[i], path[i + 1]); };
+  const auto rises = [&](std::size_t i) {
+    return ascends(i) ? path[i].y <= path[i + 1].y : path[i].y >= path[i + 1].y;
+  };
   for (std::size_t begin = 0, end; begin + 1 < path.size(); begin = end) {
-    const bool ascends = lexicographically_less(path[begin], path[begin + 1]);
     end = begin + 1;
-    while (end + 1 < path.size() && lexicographically_less(path[end], path[end + 1]) == ascends) ++end;
+    while (end + 1 < path.size() && ascends(end) == ascends(begin) && rises(end) == rises(begin)) ++end;
     const auto first = path.begin() + static_cast<std::ptrdiff_t>(begin),
                past = path.begin() + static_cast<std::ptrdiff_t>(end + 1);
-    if (!ascends) std::reverse(first, past);
-    strands.points.insert(strands.points.end(), first, past);
-    if (!ascends) std::reverse(first, past);
-    strands.close_strand({0, once(object)}, noding::any_group);
+    if (ascends(begin))
+      strands.points.insert(strands.points.end(), first, past);
+    else
+      strands.points.insert(strands.points.end(), std::reverse_iterator(past), std::reverse_iterator(first));
+    strands.close_strand({0, once(rises(begin) ? object : objects + object)}, noding::any_group);
   }
 }
 
@@ -64,7 +71,8 @@ LargeArray<Piece> pieces_of(const Strands& strands) {
 }
 
 /// One edge in place of all its copies.
-LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, noding::SourceChanges& changes) {
+LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, std::uint32_t objects,
+                                 noding::SourceChanges& changes) {
   LargeArray<SettledEdge> edges;
   edges.reserve(pieces.size());
   Steps steps(pieces.size());
@@ -79,8 +87,9 @@ LargeArray<SettledEdge> edges_of(const LargeArray<Piece>& pieces, noding::Source
       edge.cover += count;
       edge.outline_of = std::min(edge.outline_of, object);
     });
-    changes.for_each(change.b,
-                     [&](std::uint32_t object, std::int32_t) { edge.line_of = std::min(edge.line_of, object); });
+    changes.for_each(change.b, [&](std::uint32_t source, std::int32_t) {
+      edge.line_of = std::min(edge.line_of, source < objects ? source : source - objects);
+    });
     if (edge.outline_of != none || edge.line_of != none) edges.push_back(edge);
   }
   return edges;
@@ -116,14 +125,14 @@ SettledObjects settle_objects(const Objects& objects, noding::SourceChanges& cha
   Strands strands = collect({&polygons, 1}, resolve_by_pipeline(control), statistics.resolved_polygons);
   strands.rules.sources = &changes;
   for (std::size_t l = 0; l < objects.shapes.lines.size(); ++l)
-    add_line(objects.shapes.lines[l], objects.of_line[l], strands, settled.points);
+    add_line(objects.shapes.lines[l], objects.of_line[l], objects.count, strands, settled.points);
   for (std::size_t i = 0; i < objects.shapes.points.size(); ++i)
     settled.points.push_back({clean(objects.shapes.points[i]), objects.of_point[i]});
   sort_points(settled.points);
   if (strands.size() == 0) return settled;
   noding::NodingReport report(false);
   strands = node_strands(std::move(strands), report, resolve_by_pipeline(control), statistics.resolved_polygons);
-  settled.edges = edges_of(pieces_of(strands), changes);
+  settled.edges = edges_of(pieces_of(strands), objects.count, changes);
   settled.polygons = polygons_of(std::move(strands));
   return settled;
 }

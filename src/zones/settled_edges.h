@@ -1,7 +1,7 @@
 // Step 1 of zones: the edges of all objects, cut where they meet.
 //
-// Polygons enter as in an overlay of rows. Lines enter as paths that ascend (lexicographically), with changes of
-// operand B, so that copies of one edge never cancel each other.
+// Polygons enter as in an overlay of rows. Lines enter as paths of one direction, with changes of operand B, so that
+// copies of one edge never cancel each other.
 #pragma once
 
 #include <oblast/options.h>
@@ -34,7 +34,7 @@ struct SettledObjects {
   Array<LonePoint> points;        ///< in order, no two at one place; also lines of no length
 };
 
-/// REQUIRES: `changes` is for at least objects.count sources.
+/// REQUIRES: `changes` is for at least 2 objects.count sources.
 SettledObjects settle_objects(const Objects& objects, noding::SourceChanges& changes, Control& control,
                               Statistics& statistics);
 

@@ -16,8 +16,14 @@ namespace {
 
 using namespace triangulation;
 
-/// A contact whose radius would be below so many units is none: its vertex is a site of the lowest object there.
+/// The least radius of a contact, in units: what is nearer together is not told apart.
 constexpr double least_radius = 16;
+
+/// A strip is so high, in units, that noding does not close it.
+constexpr double least_height = 8;
+
+/// How many thin triangles a strip passes at most.
+constexpr int deepest_strip = 8;
 
 class Finder {
  public:
@@ -67,6 +73,8 @@ class Finder {
     Array<Constraint> constraints(pieces_.size());
     for (std::size_t i = 0; i < pieces_.size(); ++i) constraints[i] = {pieces_[i].low, pieces_[i].high};
     half_edges_ = constrain(mesh_, constraints);
+    is_constrained_.assign(4 * mesh_.triangles.size(), false);
+    for (const HalfEdge h : half_edges_) is_constrained_[h] = is_constrained_[mesh_.twin(h)] = true;
   }
 
   /// By triangle: how many polygons cover it. Everything is reached from the outside, side by side.
@@ -110,7 +118,7 @@ class Finder {
       if (cover_[triangle_of(h)] > 0 && cover_[triangle_of(mesh_.twin(h))] > 0) continue;
       const std::uint32_t object = std::min(edge.outline_of, edge.line_of);
       skeleton_.edges.push_back({mesh_.points[low], mesh_.points[high], object, none, none, low, high});
-      skeleton_.strips.push_back(strip(h));
+      append_strip(h);
       for (const std::uint32_t v : {low, high}) {
         if (owner_[v] != none && owner_[v] != object) contact_[v] = is_contact;
         owner_[v] = std::min(owner_[v], object);
@@ -118,29 +126,50 @@ class Finder {
     }
   }
 
-  /// The strip on the left of a side. `first` is at its origin.
-  HalfStrip half_strip(HalfEdge h) const {
+  /// Appends the top of the strip along a part of a side, on its left, from `to` to `from`, without these. Where the
+  /// triangle there is too thin, the strip goes on behind it, if no edge is in the way.
+  void append_top(HalfEdge h, const Point& from, const Point& to, int depth, Array<Point>& top) const {
     const std::uint32_t t = triangle_of(h);
-    if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return {};
+    if (cover_[t] > 0 || mesh_.triangles[t].is_ghost()) return;
     const Point &a = mesh_.points[mesh_.origin(h)], &b = mesh_.points[mesh_.target(h)],
                 &c = mesh_.points[mesh_.apex(h)];
     const Point middle{a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3};
-    const double longest = std::max(distance(a, middle), distance(b, middle));
-    const double part = std::min(0.5, room_.tolerance / 16 / longest);
+    const double part = std::min(0.5, room_.tolerance / 16 / distance_from_segment(middle, from, to));
     const auto towards_middle = [&](const Point& p) {
       return Point{in_domain_near(p.x + part * (middle.x - p.x)), in_domain_near(p.y + part * (middle.y - p.y))};
     };
-    const auto is_inside = [&](const Point& p) {
-      return exact::orientation(a, b, p) > 0 && exact::orientation(b, c, p) > 0 && exact::orientation(c, a, p) > 0;
+    const auto has_room = [&](const Point& p) {
+      return distance_from_segment(p, a, b) >= least_height * room_.unit && exact::orientation(a, b, p) > 0 &&
+             exact::orientation(b, c, p) > 0 && exact::orientation(c, a, p) > 0;
     };
-    const HalfStrip half{true, towards_middle(a), towards_middle(b)};
-    return is_inside(half.first) && is_inside(half.second) ? half : HalfStrip{};
+    const Point first = towards_middle(from), second = towards_middle(to);
+    if (has_room(first) && has_room(second)) {
+      top.push_back(second);
+      if (first != second) top.push_back(first);
+    } else if (depth < deepest_strip) {
+      const double x = to.x - from.x, y = to.y - from.y, along = (c.x - from.x) * x + (c.y - from.y) * y;
+      if (along <= 0) {
+        append_top_behind(next(h), from, to, depth, top);
+      } else if (along >= x * x + y * y) {
+        append_top_behind(previous(h), from, to, depth, top);
+      } else if (distance_from_segment(c, from, to) <= 4 * least_height * room_.unit) {
+        append_top_behind(next(h), c, to, depth, top);
+        top.push_back(c);
+        append_top_behind(previous(h), from, c, depth, top);
+      }
+    }
   }
 
-  Strip strip(HalfEdge h) const {
-    HalfStrip right = half_strip(mesh_.twin(h));
-    std::swap(right.first, right.second);
-    return {half_strip(h), right};
+  void append_top_behind(HalfEdge side, const Point& from, const Point& to, int depth, Array<Point>& top) const {
+    if (!is_constrained_[side]) append_top(mesh_.twin(side), from, to, depth + 1, top);
+  }
+
+  void append_strip(HalfEdge h) {
+    const Point &low = mesh_.points[mesh_.origin(h)], &high = mesh_.points[mesh_.target(h)];
+    append_top(mesh_.twin(h), high, low, 0, skeleton_.strips.tops);
+    skeleton_.strips.ends.push_back(skeleton_.strips.tops.size());
+    append_top(h, low, high, 0, skeleton_.strips.tops);
+    skeleton_.strips.ends.push_back(skeleton_.strips.tops.size());
   }
 
   void find_contacts() {
@@ -160,7 +189,6 @@ class Finder {
     skeleton_.object_of_vertex = std::move(owner_);
   }
 
-  /// None if it is too small.
   std::uint32_t make_contact(std::uint32_t v, HalfEdge leaving) {
     const Point at = mesh_.points[v];
     double nearest = 4 * room_.sampling;
@@ -171,8 +199,7 @@ class Finder {
         nearest = std::min(nearest, distance_from_segment(at, mesh_.points[p], mesh_.points[q]));
       h = mesh_.clockwise(h);
     } while (h != leaving);
-    const double radius = nearest > 0 ? std::ldexp(1.0, std::ilogb(nearest / 4)) : 0;
-    if (!(radius >= least_radius * ulp_of(std::max(std::fabs(at.x), std::fabs(at.y))))) return none;
+    const double radius = std::ldexp(1.0, std::ilogb(std::max(nearest / 4, least_radius * room_.unit)));
     skeleton_.contacts.push_back({at, radius});
     return static_cast<std::uint32_t>(skeleton_.contacts.size() - 1);
   }
@@ -196,6 +223,7 @@ class Finder {
   Mesh mesh_;
   Array<Piece> pieces_;
   Array<HalfEdge> half_edges_;            ///< by piece: from low to high
+  Array<bool> is_constrained_;            ///< by half-edge
   Array<std::int32_t> cover_;             ///< by triangle
   Array<std::uint32_t> owner_, contact_;  ///< by vertex
   Array<bool> on_edge_;                   ///< by vertex

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "zones/settled_edges.h"
 
@@ -23,7 +24,7 @@ namespace oblast::internal::zoning {
 struct Contact {
   Point at;
   double radius;  ///< a power of two, at most Room::sampling, and at most a quarter of the distance to what does not
-                  ///< meet here
+                  ///< meet here, but not below some units in the last place
 };
 
 /// An edge with a side that is not covered.
@@ -34,22 +35,29 @@ struct FreeEdge {
   std::uint32_t low_vertex, high_vertex;    ///< numbers of its ends: equal ends have one number
 };
 
-/// A strip along a free edge, on each of its sides that is not covered: in the triangle on that side, in the third of
-/// it that has this edge, and a sixteenth of epsilon wide at most.
+/// Strips along free edges, on the sides that are not covered: in the triangle on that side, in the third of it that
+/// has this edge, and a sixteenth of epsilon wide at most. Where a triangle is too thin for that, the strip takes all
+/// of it and goes on behind it.
 ///
 ///     low ------------- high
-///        \ _________ /           first and second, from the edge's ends towards the middle of the triangle
-struct HalfStrip {
-  bool is_there = false;  ///< false also where it would be too narrow for doubles
-  Point first, second;
-};
-struct Strip {
-  HalfStrip left, right;
+///        \ _________ /           the top: from high to low on the left of the edge, from low to high on its right
+struct Strips {
+  Array<Point> tops;
+  Array<std::size_t> ends;  ///< two for each edge: of its right and left top
+
+  std::span<const Point> right(std::size_t edge) const { return top(2 * edge); }
+  std::span<const Point> left(std::size_t edge) const { return top(2 * edge + 1); }
+
+ private:
+  std::span<const Point> top(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+    return std::span(tops).subspan(begin, ends[i] - begin);
+  }
 };
 
 struct Skeleton {
   LargeArray<FreeEdge> edges;
-  LargeArray<Strip> strips;               ///< by edge
+  Strips strips;
   Array<std::uint32_t> object_of_vertex;  ///< the lowest that has an edge there
   Array<Contact> contacts;
   Array<LonePoint> points;  ///< those that no polygon covers and no edge ends at

@@ -61,7 +61,7 @@ class Zones {
         options_(options),
         control_(control),
         room_(make_room(objects.shapes, frame, options)),
-        changes_(std::size_t{objects.count} + 3) {}
+        changes_(2 * std::size_t{objects.count} + 3) {}
 
   /// Nothing if whole cells can not be kept apart.
   std::optional<FeatureSet> run(ZoneStatistics& statistics) {
@@ -95,7 +95,7 @@ class Zones {
   std::uint32_t reach_source() const { return std::isfinite(options_.distance) ? objects_.count + 2 : no_feature; }
 
   RegionView frame() const {
-    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&box_end_, 1}, {}};
+    return room_.box_frame.empty() ? frame_ : RegionView{room_.box_frame, {&corners_of_box_, 1}, {}};
   }
 
   noding::Strands cells(const SettledObjects& settled, ZoneStatistics& statistics) {
@@ -124,15 +124,15 @@ class Zones {
     bool found = false;
     for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
       const FreeEdge& edge = skeleton.edges[e];
-      const Strip& strip = skeleton.strips[e];
-      if (!narrow[e] || (!strip.left.is_there && !strip.right.is_there)) continue;
+      const auto right = skeleton.strips.right(e), left = skeleton.strips.left(e);
+      if (!narrow[e] || (right.empty() && left.empty())) continue;
       const auto add = [&](const Point& p) {
         if (strands.points.back() != p) strands.points.push_back(p);
       };
       strands.points.push_back(edge.low);
-      if (strip.right.is_there) add(strip.right.first), add(strip.right.second);
+      for (const Point& p : right) add(p);
       add(edge.high);
-      if (strip.left.is_there) add(strip.left.second), add(strip.left.first);
+      for (const Point& p : left) add(p);
       add(edge.low);
       strands.close_strand({static_cast<std::int32_t>(edge.object) + 1, 0}, noding::any_group);
       found = true;
@@ -173,13 +173,14 @@ class Zones {
     from = {};
   }
 
+  static constexpr std::uint32_t corners_of_box_ = 4;
+
   const Objects& objects_;
   const WholeCellsAre whole_cells_;
   const RegionView& frame_;
   const ZoneOptions& options_;
   Control& control_;
   const Room room_;
-  const std::uint32_t box_end_ = static_cast<std::uint32_t>(room_.box_frame.size());
   noding::SourceChanges changes_;
   WholeCells whole_;
 };

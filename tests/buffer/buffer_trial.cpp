@@ -270,6 +270,13 @@ class BufferTrial {
 
 }  // namespace
 
+void BufferFigures::add(const BufferFigures& other) {
+  nearest = std::max(nearest, other.nearest);
+  furthest = std::max(furthest, other.furthest);
+  folded += other.folded;
+  pockets += other.pockets;
+}
+
 const char* to_text(BrokenBuffer broken) {
   constexpr const char* names[] = {"closed", "bounds", "order", "far", "threads", "monotone", "rows", "threw"};
   return names[static_cast<int>(broken)];

@@ -35,6 +35,8 @@ struct BufferFigures {
   double nearest = 0;   ///< largest shortfall: (lower bound - nearest distance) / bound; below 0 when all is well
   double furthest = 0;  ///< largest distance by the upper bound; at most 1 when all is well
   std::uint64_t folded = 0, pockets = 0;
+
+  void add(const BufferFigures& other);
 };
 
 /// A question drawn from the operands: A as regions, contours of B as lines, some vertices as points, with random

@@ -24,7 +24,8 @@ void add_polygon(RegionSet& regions, const Json& rings) {
 RegionSet read(const fs::path& file) {
   std::ifstream stream(file);
   RegionSet regions;
-  for (const Json& feature : Json::parse(stream).at("features")) {
+  const Json collection = Json::parse(stream);
+  for (const Json& feature : collection.at("features")) {
     const Json& geometry = feature.at("geometry");
     const Json& coordinates = geometry.at("coordinates");
     if (geometry.at("type") == "Polygon") {

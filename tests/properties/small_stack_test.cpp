@@ -11,7 +11,12 @@
 namespace oblast::internal {
 namespace {
 
+// Sanitizers make frames several times as large.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t stack_bytes = 4 * 1024 * 1024;
+#else
 constexpr std::size_t stack_bytes = 256 * 1024;
+#endif
 
 void run_on_small_stack(const std::function<void()>& work) {
   pthread_attr_t attributes;

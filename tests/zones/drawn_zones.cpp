@@ -93,8 +93,8 @@ ZoneQuestion draw_zones(const generators::Operands& operands, std::uint64_t seed
   question.frame = draw_frame(operands, box, extent, random);
   ZoneOptions& options = question.options;
   options.threads = 1;
-  // Sites grow with the inverse root of the tolerance; points need none.
-  const double finest = question.has_points_only() || random.one_in(20) ? -9 : -5;
+  // Sites grow with the inverse root of the tolerance, and the judge takes its time; points need none.
+  const double finest = question.has_points_only() ? -9 : random.one_in(200) ? -6 : -3.5;
   const double relative = std::pow(10, random.in(finest, -1));
   options.relative_tolerance = relative;
   if (random.one_in(3)) options.tolerance = extent * relative;

@@ -22,49 +22,92 @@ class Trial {
       options_.statistics = &statistics_;
       const FeatureSet rows = zones(question_.view(), question_.frame, options_);
       options_.statistics = nullptr;
-      if (auto failure = judge(rows)) return failure;
+      if (auto failure = judge(question_, rows, statistics_)) return failure;
       const ZoneQuestion other = shuffled(question_, trial_.seed);
       if (zones(other.view(), other.frame, options_) != rows) return ZoneFailure{BrokenZones::order, "other bytes"};
       if (trial_.seed % 4 == 0 && !is_the_same_by_threads(rows))
         return ZoneFailure{BrokenZones::threads, "other bytes"};
+      if (trial_.seed % 4 == 1) return run_in_company();
       return {};
     } catch (const std::exception& e) {
+      if (may_be_refused()) return {};
       return ZoneFailure{BrokenZones::threw, e.what()};
     }
   }
 
+  /// Whether everything, widened by eight times its extent, leaves the domain, as zones() requires it not to.
+  bool may_be_refused() const {
+    verify::Box box = box_of_objects();
+    box.add(box_of(question_.frame.points));
+    if (const auto frame = default_box()) box.add(*frame);
+    const double widened = 8 * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    return std::max({box.high.x + widened, box.high.y + widened, widened - box.low.x, widened - box.low.y}) >
+           domain_largest;
+  }
+
  private:
-  std::optional<ZoneFailure> judge(const FeatureSet& rows) {
-    if (rows.size() != question_.object_count()) return ZoneFailure{BrokenZones::rows, "not a row for each object"};
+  /// Another object, to which no place of the frame is near, with frame and tolerance given: its zone is empty, and the
+  /// zones of the others are judged as before.
+  std::optional<ZoneFailure> run_in_company() {
+    ZoneQuestion alone = question_;
+    if (const auto box = default_box(); box && alone.frame.points.empty()) alone.frame = rectangle(*box);
+    verify::Box all = box_of_objects();
+    all.add(box_of(alone.frame.points));
+    if (all.empty()) return {};
+    const double side = std::max(all.high.x - all.low.x, all.high.y - all.low.y);
+    const Point far{all.high.x + 4 * side, all.high.y + 2 * side};
+    if (side == 0 || !in_domain(far.x) || !in_domain(far.y)) return {};
+    alone.options.tolerance = statistics_.tolerance;
+    alone.options.statistics = nullptr;
+    ZoneQuestion crowd = alone;
+    if (!crowd.is_numbered()) crowd.number_shapes();
+    crowd.points.push_back(far);
+    crowd.point_rows.push_back(static_cast<std::uint32_t>(crowd.object_count()));
+    ZoneStatistics statistics;
+    crowd.options.statistics = &statistics;
+    FeatureSet rows = zones(crowd.view(), crowd.frame, crowd.options);
+    const std::size_t others = alone.object_count();
+    if (rows.size() != others + 1 || (others > 0 && rows.feature_ends[others] != rows.feature_ends[others - 1]))
+      return ZoneFailure{BrokenZones::company, "a far object has a zone"};
+    rows.feature_ends.pop_back();
+    rows.keys.pop_back();
+    auto failure = judge(alone, rows, statistics);
+    if (failure) failure = ZoneFailure{BrokenZones::company, failure->what};
+    return failure;
+  }
+
+  std::optional<ZoneFailure> judge(const ZoneQuestion& question, const FeatureSet& rows,
+                                   const ZoneStatistics& statistics) {
+    if (rows.size() != question.object_count()) return ZoneFailure{BrokenZones::rows, "not a row for each object"};
     for (std::uint32_t r = 0; r < rows.size(); ++r)
       if (rows.keys[r] != FeatureKey{r, no_feature}) return ZoneFailure{BrokenZones::rows, "another key"};
 
-    const verify::ZoneObjects objects(question_.view());
-    const std::optional<verify::Box> box = question_.frame.points.empty() ? default_box() : std::nullopt;
-    const RegionSet frame = box ? rectangle(*box) : question_.frame;
+    const verify::ZoneObjects objects(question.view());
+    const std::optional<verify::Box> box = question.frame.points.empty() ? default_box() : std::nullopt;
+    const RegionSet frame = box ? rectangle(*box) : question.frame;
     const verify::JudgedZones zones{objects, frame, rows, rows.keys};
-    const bool is_whole = std::isinf(options_.distance);
+    const bool is_whole = std::isinf(question.options.distance);
     verify::ZoneCoverMeasures cover;
-    if (const auto fault = verify::check_zone_cover(zones, {statistics_.rounding, is_whole}, &cover))
+    if (const auto fault = verify::check_zone_cover(zones, {statistics.rounding, is_whole}, &cover))
       return ZoneFailure{BrokenZones::cover, fault->what};
 
     verify::ZoneDistanceBounds bounds;
-    bounds.epsilon = statistics_.error + statistics_.rounding;
-    bounds.moved = statistics_.rounding;
+    bounds.epsilon = statistics.error + statistics.rounding;
+    bounds.moved = statistics.rounding;
     bounds.places = trial_.places;
     bounds.seed = trial_.seed;
     if (!is_whole) {
-      bounds.lower = options_.distance - statistics_.rounding;
-      bounds.upper = options_.distance + statistics_.tolerance + statistics_.rounding;
+      bounds.lower = question.options.distance - statistics.rounding;
+      const double epsilon = std::max(statistics.tolerance, 1e-9 * question.options.distance);
+      bounds.upper = question.options.distance + 2 * epsilon + statistics.rounding;
     }
     verify::ZoneDistanceMeasures distances;
     if (const auto fault = verify::check_zone_distances(zones, bounds, &distances))
       return ZoneFailure{BrokenZones::nearness, fault->what};
-    note(cover, distances);
-    if (auto what = fault_of_statistics(); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
-    if (!trial_.voronoi || !box || !question_.has_points_only() || !question_.point_rows.empty() || !is_whole)
-      return {};
-    if (const auto fault = verify::check_voronoi(question_.points, *box, rows, statistics_.rounding))
+    note(cover, distances, statistics);
+    if (auto what = fault_of(question, statistics); !what.empty()) return ZoneFailure{BrokenZones::statistics, what};
+    if (!trial_.voronoi || !box || !question.has_points_only() || !question.point_rows.empty() || !is_whole) return {};
+    if (const auto fault = verify::check_voronoi(question.points, *box, rows, statistics.rounding))
       return ZoneFailure{BrokenZones::voronoi, fault->what};
     return {};
   }
@@ -100,27 +143,29 @@ class Trial {
     return {{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {4}, {1}};
   }
 
-  std::string fault_of_statistics() const {
+  std::string fault_of(const ZoneQuestion& question, const ZoneStatistics& statistics) const {
     const verify::Box box = box_of_objects();
     if (box.empty()) return {};
     const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-    const double asked = options_.tolerance > 0 ? options_.tolerance : side * options_.relative_tolerance;
+    const double asked =
+        question.options.tolerance > 0 ? question.options.tolerance : side * question.options.relative_tolerance;
     // No tolerance is smaller than what rounding needs.
-    if (statistics_.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics_.rounding))
+    if (statistics.tolerance > std::max(asked * (1 + 1e-9), 2 * statistics.rounding))
       return "the tolerance is larger than what was asked for";
-    if (statistics_.error > statistics_.tolerance) return "the error is above the tolerance";
-    if (question_.has_points_only() && statistics_.error != 0) return "points have an error";
+    if (statistics.error > statistics.tolerance) return "the error is above the tolerance";
+    if (question.has_points_only() && statistics.error != 0) return "points have an error";
     return {};
   }
 
-  void note(const verify::ZoneCoverMeasures& cover, const verify::ZoneDistanceMeasures& distances) const {
+  void note(const verify::ZoneCoverMeasures& cover, const verify::ZoneDistanceMeasures& distances,
+            const ZoneStatistics& statistics) const {
     if (!figures_) return;
     figures_->excused += cover.excused;
-    figures_->sites += statistics_.sites;
-    if (statistics_.tolerance > 0)
-      figures_->proved = std::max(figures_->proved, statistics_.error / statistics_.tolerance);
+    figures_->sites += statistics.sites;
+    if (statistics.tolerance > 0)
+      figures_->proved = std::max(figures_->proved, statistics.error / statistics.tolerance);
     if (distances.epsilon > 0)
-      figures_->seen = std::max(figures_->seen, distances.epsilon / (statistics_.error + statistics_.rounding));
+      figures_->seen = std::max(figures_->seen, distances.epsilon / (statistics.error + statistics.rounding));
   }
 
   bool is_the_same_by_threads(const FeatureSet& rows) const {
@@ -139,16 +184,35 @@ class Trial {
 }  // namespace
 
 const char* to_text(BrokenZones broken) {
-  constexpr const char* names[] = {"rows", "cover", "nearness", "statistics", "order", "threads", "voronoi", "threw"};
+  constexpr const char* names[] = {"rows",    "cover",   "nearness", "statistics", "order",
+                                   "threads", "voronoi", "company",  "threw"};
   return names[static_cast<int>(broken)];
+}
+
+void ZoneFigures::add(const ZoneFigures& other) {
+  proved = std::max(proved, other.proved);
+  seen = std::max(seen, other.seen);
+  sites += other.sites;
+  excused += other.excused;
 }
 
 std::size_t ZoneQuestion::object_count() const {
   std::size_t count = 0;
   for (const auto* rows : {&region_rows, &line_rows, &point_rows})
     for (const std::uint32_t row : *rows) count = std::max<std::size_t>(count, row + 1);
-  const bool numbered = !region_rows.empty() || !line_rows.empty() || !point_rows.empty();
-  return numbered ? count : regions.view().polygon_count() + line_ends.size() + points.size();
+  return is_numbered() ? count : regions.view().polygon_count() + line_ends.size() + points.size();
+}
+
+bool ZoneQuestion::is_numbered() const { return !region_rows.empty() || !line_rows.empty() || !point_rows.empty(); }
+
+void ZoneQuestion::number_shapes() {
+  std::uint32_t next = 0;
+  const auto number = [&](std::vector<std::uint32_t>& rows, std::size_t shapes) {
+    for (std::size_t k = 0; k < shapes; ++k) rows.push_back(next++);
+  };
+  number(region_rows, regions.view().polygon_count());
+  number(line_rows, line_ends.size());
+  number(point_rows, points.size());
 }
 
 void ZoneQuestion::add_line(std::span<const Point> line) {

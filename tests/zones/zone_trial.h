@@ -12,8 +12,8 @@
 
 namespace oblast::testing {
 
-enum class BrokenZones { rows, cover, nearness, statistics, order, threads, voronoi, threw };
-inline constexpr int broken_zones_count = 8;
+enum class BrokenZones { rows, cover, nearness, statistics, order, threads, voronoi, company, threw };
+inline constexpr int broken_zones_count = 9;
 const char* to_text(BrokenZones broken);
 
 struct ZoneFailure {
@@ -34,6 +34,8 @@ struct ZoneQuestion {
     return {{regions, {line_points, line_ends}, points}, region_rows, line_rows, point_rows};
   }
   std::size_t object_count() const;
+  bool is_numbered() const;  ///< whether shapes have numbers of objects
+  void number_shapes();      ///< every shape is an object. REQUIRES: it is not numbered
   bool has_points_only() const { return regions.contour_ends.empty() && line_ends.empty(); }
   void add_line(std::span<const Point> line);
 };
@@ -43,6 +45,8 @@ struct ZoneFigures {
   double proved = 0;  ///< the epsilon that was proved, by the one that was asked for
   double seen = 0;    ///< the epsilon that was seen, by the one that was proved (with C)
   std::uint64_t sites = 0, excused = 0;
+
+  void add(const ZoneFigures& other);
 };
 
 /// A question drawn from the operands: polygons, their outlines as lines, their vertices as points, or all of them; one
@@ -54,6 +58,7 @@ ZoneQuestion draw_zones(const generators::Operands& operands, std::uint64_t seed
 /// verify::check_zone_distances (Z3) with the proved epsilon. statistics: the proved epsilon is not above the one asked
 /// for. order: shapes within objects in another order and direction. threads: two of them. voronoi: cells of a few
 /// points in a box, vertex by vertex (asked where `voronoi` is set; hostile cells may cross when they are rounded).
+/// company: all of the first four again, when an object is added that is far from the frame.
 struct ZoneTrial {
   std::uint64_t seed = 1;
   std::uint64_t places = 500;
