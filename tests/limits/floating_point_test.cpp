@@ -14,11 +14,6 @@
 #include "support/floating_point_modes.h"
 #include "support/public_functions.h"
 
-#ifdef __SANITIZE_ADDRESS__
-// oneTBB frees what it has for an observer when its threads end, after the sanitizer has looked for leaks.
-extern "C" const char* __lsan_default_suppressions() { return "leak:tbb::detail::r1::observe\n"; }
-#endif
-
 namespace oblast::testing {
 namespace {
 
