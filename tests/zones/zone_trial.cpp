@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index_limits.h"
 #include "verify/voronoi.h"
 #include "verify/zones.h"
 #include "zones/shuffled_zones.h"
@@ -29,8 +30,10 @@ class Trial {
         return ZoneFailure{BrokenZones::threads, "other bytes"};
       if (trial_.seed % 4 == 1) return run_in_company();
       return {};
+    } catch (const Error& e) {
+      if (may_be_refused() || (internal::low_index_limits && e.code() == ErrorCode::too_large)) return {};
+      return ZoneFailure{BrokenZones::threw, e.what()};
     } catch (const std::exception& e) {
-      if (may_be_refused()) return {};
       return ZoneFailure{BrokenZones::threw, e.what()};
     }
   }
