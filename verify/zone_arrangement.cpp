@@ -18,14 +18,11 @@ bool cross(const Stroke& s, const Stroke& t) {
          side_of_line(t.a, t.b, s.a) * side_of_line(t.a, t.b, s.b) < 0;
 }
 
-bool touches(const Stroke& s, const Stroke& t) {
-  const auto has = [](const Stroke& e, const Point& p) { return p == e.a || p == e.b || has_inside(e, p); };
-  return has(s, t.a) || has(s, t.b) || has(t, s.a) || has(t, s.b);
-}
+bool touches(const Stroke& s, const Stroke& t) { return has(s, t.a) || has(s, t.b) || has(t, s.a) || has(t, s.b); }
 
 /// Within `distance` of the edge, but not on it.
 bool is_beside(const Point& p, const Stroke& s, double distance) {
-  if (p == s.a || p == s.b || distance == 0 || has_inside(s, p)) return false;
+  if (distance == 0 || has(s, p)) return false;
   const Interval found = estimated_distance(p, s);
   if (found.high <= distance || found.low > distance) return found.high <= distance;
   return squared_distance(RationalPoint(p), s.a, s.b) <= Rational(distance) * Rational(distance);
@@ -36,6 +33,8 @@ bool is_beside(const Point& p, const Stroke& s, double distance) {
 bool has_inside(const Stroke& e, const Point& p) {
   return e.a != e.b && p != e.a && p != e.b && e.box().meets(Box(p, p)) && side_of_line(e.a, e.b, p) == 0;
 }
+
+bool has(const Stroke& e, const Point& p) { return p == e.a || p == e.b || has_inside(e, p); }
 
 ZoneArrangement::ZoneArrangement(const JudgedZones& zones, double moved) {
   collect(zones);

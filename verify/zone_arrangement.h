@@ -15,6 +15,9 @@ struct ZoneEdge : Stroke {
 /// True if p is on the edge, but not an end of it.
 bool has_inside(const Stroke& e, const Point& p);
 
+/// True if p is on the edge, its ends included.
+bool has(const Stroke& e, const Point& p);
+
 class ZoneArrangement {
  public:
   ZoneArrangement(const JudgedZones& zones, double moved);

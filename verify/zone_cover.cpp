@@ -132,9 +132,8 @@ class CoverCheck {
   /// Whether the point is on an edge that may have moved. Where such edges make a thin spike, its end may be gone.
   bool touches_moved(const ZoneEdge& point) const {
     bool found = false;
-    all_.for_each_near(point, 0, [&](const ZoneEdge& t) {
-      found |= t.of != ZoneEdge::row && t.may_move && (t.a == point.a || t.b == point.a || has_inside(t, point.a));
-    });
+    all_.for_each_near(point, 0,
+                       [&](const ZoneEdge& t) { found |= t.of != ZoneEdge::row && t.may_move && has(t, point.a); });
     return found;
   }
 
@@ -146,7 +145,7 @@ class CoverCheck {
       if (t.object == no_feature) return;
       if (t.a == t.b) {
         lowest = std::min(lowest, t.object);
-      } else if (t.a == point.a || t.b == point.a || has_inside(t, point.a)) {
+      } else if (has(t, point.a)) {
         holders.push_back(t.object);
       }
     });

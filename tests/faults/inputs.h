@@ -8,6 +8,7 @@
 
 #include "generators/hostile.h"
 #include "generators/random.h"
+#include "support/sanitizers.h"
 
 namespace oblast::testing {
 
@@ -79,10 +80,6 @@ inline std::vector<NamedOperands> threshold_inputs(double scale) {
           {"nested", generators::nested_squares(3, sized(20000))}};
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr double usual_scale = 0.1;
-#else
-inline constexpr double usual_scale = 1;
-#endif
+inline constexpr double usual_scale = under_sanitizer ? 0.1 : 1;
 
 }  // namespace oblast::testing

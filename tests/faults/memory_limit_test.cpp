@@ -13,17 +13,11 @@
 #include "faults/allocations.h"
 #include "generators/hostile.h"
 #include "support/public_functions.h"
+#include "support/sanitizers.h"
 
 namespace oblast::testing {
 using namespace internal;
 namespace {
-
-// Shadow memory of a sanitizer is several times what a program takes.
-#ifdef __SANITIZE_THREAD__
-constexpr bool has_shadow_memory = true;
-#else
-constexpr bool has_shadow_memory = sanitized;
-#endif
 
 /// The result of the function; nothing if it reached the limit.
 Bits call_within(const PublicFunction& function, const CallOptions& options) {
@@ -153,7 +147,7 @@ TEST(MemoryLimit, twoCombsOf33000EdgesEndWithinHalfAGibibyte) {
     const std::int64_t before = live_blocks();
     expect_refused();
     EXPECT_EQ(live_blocks(), before);
-    if (!has_shadow_memory) {
+    if (!under_sanitizer) {
       EXPECT_LT(peak_bytes(), std::size_t{768} << 20);
     }
   }

@@ -8,15 +8,12 @@
 #include <numbers>
 #include <string>
 
+#include "support/sanitizers.h"
+
 namespace oblast::internal {
 namespace {
 
-// Sanitizers make frames several times as large.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::size_t stack_bytes = 4 * 1024 * 1024;
-#else
-constexpr std::size_t stack_bytes = 256 * 1024;
-#endif
+constexpr std::size_t stack_bytes = (testing::under_sanitizer ? 4096 : 256) * 1024;
 
 void run_on_small_stack(const std::function<void()>& work) {
   pthread_attr_t attributes;
@@ -76,7 +73,7 @@ RegionSet nested_squares(std::size_t n) {
   return s;
 }
 
-class SmallStack : public testing::TestWithParam<Engine> {};
+class SmallStack : public ::testing::TestWithParam<Engine> {};
 
 TEST_P(SmallStack, holdsAMillionVertices) {
   Options options;
@@ -93,7 +90,7 @@ TEST_P(SmallStack, holdsAMillionVertices) {
   });
 }
 
-std::string engine_name(const testing::TestParamInfo<Engine>& engine) {
+std::string engine_name(const ::testing::TestParamInfo<Engine>& engine) {
   switch (engine.param) {
     case Engine::vatti:
       return "vatti";
@@ -105,7 +102,7 @@ std::string engine_name(const testing::TestParamInfo<Engine>& engine) {
 }
 
 constexpr Engine engines[] = {Engine::leonov_nikitin, Engine::vatti, Engine::skvortsov};
-INSTANTIATE_TEST_SUITE_P(Engines, SmallStack, testing::ValuesIn(engines), engine_name);
+INSTANTIATE_TEST_SUITE_P(Engines, SmallStack, ::testing::ValuesIn(engines), engine_name);
 
 }  // namespace
 }  // namespace oblast::internal

@@ -38,24 +38,21 @@ class Trial {
     }
   }
 
+ private:
   /// Whether everything, widened by eight times its extent, leaves the domain, as zones() requires it not to.
   bool may_be_refused() const {
-    verify::Box box = box_of_objects();
-    box.add(box_of(question_.frame.points));
-    if (const auto frame = default_box()) box.add(*frame);
+    const verify::Box box = box_of_all();
     const double widened = 8 * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     return std::max({box.high.x + widened, box.high.y + widened, widened - box.low.x, widened - box.low.y}) >
            domain_largest;
   }
 
- private:
   /// Another object, to which no place of the frame is near, with frame and tolerance given: its zone is empty, and the
   /// zones of the others are judged as before.
   std::optional<ZoneFailure> run_in_company() {
     ZoneQuestion alone = question_;
     if (const auto box = default_box(); box && alone.frame.points.empty()) alone.frame = rectangle(*box);
-    verify::Box all = box_of_objects();
-    all.add(box_of(alone.frame.points));
+    const verify::Box all = box_of_all();
     if (all.empty()) return {};
     const double side = std::max(all.high.x - all.low.x, all.high.y - all.low.y);
     const Point far{all.high.x + 4 * side, all.high.y + 2 * side};
@@ -125,6 +122,14 @@ class Trial {
     verify::Box box = box_of(question_.regions.points);
     box.add(box_of(question_.line_points));
     box.add(box_of(question_.points));
+    return box;
+  }
+
+  /// Of the objects and the frame.
+  verify::Box box_of_all() const {
+    verify::Box box = box_of_objects();
+    box.add(box_of(question_.frame.points));
+    if (const auto frame = question_.frame.points.empty() ? default_box() : std::nullopt) box.add(*frame);
     return box;
   }
 
