@@ -9,15 +9,14 @@ namespace oblast::verify {
 
 namespace mp = boost::multiprecision;
 
-double round_to_nearest(const Rational& value) {
-  if (value.is_zero()) return 0.0;
-  const bool negative = value.sign() < 0;
-  Integer numerator = mp::abs(mp::numerator(value));
-  Integer denominator = mp::denominator(value);
+double round_quotient(Integer numerator, Integer denominator, int exponent) {
+  if (numerator.is_zero()) return 0.0;
+  const bool negative = numerator.sign() < 0;
+  numerator = mp::abs(numerator);
 
+  const auto bits = [](const Integer& i) { return static_cast<int>(mp::msb(i)) + 1; };
   // Scale such that the quotient has 55 or 56 bits: 53 bits to keep, and at least two for rounding. The last bit also
   // says whether the division has a remainder.
-  const auto bits = [](const Integer& i) { return static_cast<int>(mp::msb(i)) + 1; };
   const int shift = 55 - (bits(numerator) - bits(denominator));
   if (shift > 0) {
     numerator <<= shift;
@@ -35,8 +34,12 @@ double round_to_nearest(const Rational& value) {
   const std::uint64_t half = unit >> 1;
   std::uint64_t kept = mantissa >> excess;
   if (tail > half || (tail == half && (kept & 1) != 0)) ++kept;
-  const double magnitude = std::ldexp(static_cast<double>(kept), excess - shift);
+  const double magnitude = std::ldexp(static_cast<double>(kept), excess - shift + exponent);
   return negative ? -magnitude : magnitude;
+}
+
+double round_to_nearest(const Rational& value) {
+  return round_quotient(mp::numerator(value), mp::denominator(value), 0);
 }
 
 double round_into_domain(const Rational& value) {

@@ -29,6 +29,10 @@ struct RationalPoint {
 /// REQUIRES: the result is zero or a normal double.
 double round_to_nearest(const Rational& value);
 
+/// numerator / denominator 2^exponent, rounded in the same way. The fraction need not be reduced.
+/// REQUIRES: the denominator is positive; the result is zero or a normal double.
+double round_quotient(Integer numerator, Integer denominator, int exponent);
+
 /// The coordinate nearest to `value`: as round_to_nearest, but a magnitude below the domain becomes 0 or the smallest
 /// magnitude of the domain, whichever is nearer (0 if both are equally near).
 double round_into_domain(const Rational& value);

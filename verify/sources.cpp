@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "verify/predicates.h"
+#include "verify/rounded_intersection.h"
 
 namespace oblast::verify {
 
@@ -76,8 +77,7 @@ bool Sources::is_rounded_intersection(const Point& p) const {
   }
   return std::any_of(unknown.begin(), unknown.end(), [&](const auto& pair) {
     const InputEdge &e = edges_[pair.first], &f = edges_[pair.second];
-    const auto meeting = intersection_of_segments(e.from, e.to, f.from, f.to);
-    return meeting && round_into_domain(meeting->x) == p.x && round_into_domain(meeting->y) == p.y;
+    return rounded_intersection(e.from, e.to, f.from, f.to) == p;
   });
 }
 
