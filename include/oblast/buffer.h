@@ -21,8 +21,8 @@ namespace oblast {
 /// [line_ends[l-1], line_ends[l]). A line whose last point is its first has no ends. Lines may cross themselves and
 /// each other. A line of one point, or of equal points, is a point.
 struct LineView {
-  std::span<const Point> points;
-  std::span<const std::uint32_t> line_ends;  ///< not decreasing; the last one is the number of points
+  std::span<const Point> points{};
+  std::span<const std::uint32_t> line_ends{};  ///< not decreasing; the last one is the number of points
 
   std::size_t size() const { return line_ends.size(); }
   std::span<const Point> operator[](std::size_t l) const {
@@ -33,9 +33,9 @@ struct LineView {
 
 /// Regions, lines and points together. Each may be empty.
 struct ShapeView {
-  RegionView regions;
-  LineView lines;
-  std::span<const Point> points;
+  RegionView regions{};
+  LineView lines{};
+  std::span<const Point> points{};
 };
 
 /// The outline around a convex corner.
@@ -107,10 +107,10 @@ OBLAST_API RegionSet buffer(const ShapeView& shapes, double distance, const Buff
 /// Shapes with rows: `region_rows[p]` is the row of polygon p, and so on. If they are empty, every polygon, line and
 /// point is a row of its own, in this order.
 struct ShapeFeatures {
-  ShapeView shapes;
-  std::span<const std::uint32_t> region_rows;
-  std::span<const std::uint32_t> line_rows;
-  std::span<const std::uint32_t> point_rows;
+  ShapeView shapes{};
+  std::span<const std::uint32_t> region_rows{};
+  std::span<const std::uint32_t> line_rows{};
+  std::span<const std::uint32_t> point_rows{};
 };
 
 /// A zone for each row. Row f is the zone of the shapes of row f alone by `distances[f]`, bit for bit what `buffer`

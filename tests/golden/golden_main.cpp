@@ -22,7 +22,8 @@ namespace {
 using namespace oblast::golden;
 namespace fs = std::filesystem;
 
-const std::vector<std::string> family_names{"hostile", "other_functions", "large", "corpora", "layers", "fires"};
+const std::vector<std::string> family_names{"hostile", "other_functions", "rows",   "buffers", "zones",
+                                            "large",   "corpora",         "layers", "fires"};
 
 struct Settings {
   std::string write, check, slice = "1/1", shared = OBLAST_SHARED;
@@ -162,6 +163,9 @@ int run_all(const Settings& settings) {
   std::size_t differing = 0;
   differing += run(hostile(), settings);
   differing += run(other_functions(), settings);
+  differing += run(rows(), settings);
+  differing += run(buffers(), settings);
+  differing += run(zones(), settings);
   differing += run(large(), settings);
   differing += run(corpora(shared / "corpora"), settings);
   differing += run(layers(shared / "realworld"), settings);

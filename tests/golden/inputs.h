@@ -30,6 +30,12 @@ struct Family {
 Family hostile();
 /// Hull, layers and triangulation of hostile cases.
 Family other_functions();
+/// Hostile cases as layers: identity, union, dissolve, depth, partition.
+Family rows();
+/// Buffer zones of hostile cases as polygons, lines and points, distances and options by the seed.
+Family buffers();
+/// Proximity zones of hostile cases as polygons, lines and points, tolerances by the seed.
+Family zones();
 /// Hostile cases with thousands of edges, and hostile cases in crowds: above the thresholds of the library.
 Family large();
 /// The fires of each month, of all months, and a twentieth of them with several fill rules.

@@ -7,6 +7,10 @@
 #include <oblast/overlay.h>
 #include <oblast/triangulate.h>
 
+#include <bit>
+#include <cstdint>
+#include <vector>
+
 namespace oblast::golden {
 namespace {
 
@@ -20,6 +24,32 @@ void add(Digest& digest, const Options& options) {
   add(digest, options.fill_b);
   digest.add(static_cast<std::uint64_t>(options.contours));
   digest.add(static_cast<std::uint64_t>(options.collinear));
+}
+
+void add(Digest& digest, double number) { digest.add(std::bit_cast<std::uint64_t>(number)); }
+
+void add(Digest& digest, const ShapeView& shapes) {
+  digest.add(shapes.regions);
+  digest.add(RegionView{shapes.lines.points, shapes.lines.line_ends, {}});
+  digest.add(shapes.points);
+}
+
+void add(Digest& digest, const FeatureSet& features) {
+  digest.add(features.regions);
+  digest.add(std::span(features.feature_ends));
+  for (const FeatureKey& key : features.keys) {
+    digest.add(std::uint64_t{key.a});
+    digest.add(std::uint64_t{key.b});
+  }
+}
+
+void add(Digest& digest, const Partition& partition) {
+  add(digest, partition.rows);
+  digest.add(std::span(partition.source_ends));
+  for (const FeatureSource& source : partition.sources) {
+    digest.add(std::uint64_t{source.layer});
+    digest.add(std::uint64_t{source.feature});
+  }
 }
 
 void add(Digest& digest, const Triangulation& mesh) {
@@ -88,6 +118,44 @@ InputAndResult hull_layers_triangulation(const RegionView& a) {
   for (const LayerRule rule : {LayerRule::interiors, LayerRule::boxes})
     attempt(result, [&] { result.add(layers(a, rule).layer); });
   attempt(result, [&] { add(result, triangulate(a)); });
+  return {input.value(), result.value()};
+}
+
+InputAndResult rows(const RegionView& a, const RegionView& b, const Options& options) {
+  Digest input, result;
+  input.add(a);
+  input.add(b);
+  add(input, options);
+  constexpr std::uint32_t groups_count = 5;
+  std::vector<std::uint32_t> groups;
+  for (std::size_t p = 0; p < a.polygon_count(); ++p) groups.push_back(static_cast<std::uint32_t>(p) % groups_count);
+  const FeatureView layers[] = {{a, {}}, {b, {}}};
+  for (const FeatureOperation operation : {FeatureOperation::identity, FeatureOperation::unite})
+    attempt(result, [&] { add(result, overlay_features(layers[0], layers[1], operation, options)); });
+  attempt(result, [&] { add(result, dissolve(layers[0], groups, options)); });
+  attempt(result, [&] { add(result, depth(layers[0], groups, options)); });
+  attempt(result, [&] { add(result, partition(layers, options)); });
+  return {input.value(), result.value()};
+}
+
+InputAndResult buffer_zone(const ShapeView& shapes, double distance, const BufferOptions& options) {
+  Digest input, result;
+  add(input, shapes);
+  add(input, distance);
+  for (const int choice : {static_cast<int>(options.join), static_cast<int>(options.cap),
+                           static_cast<int>(options.side), static_cast<int>(options.mode)})
+    input.add(static_cast<std::uint64_t>(choice));
+  add(input, options.tolerance);
+  attempt(result, [&] { result.add(buffer(shapes, distance, options)); });
+  return {input.value(), result.value()};
+}
+
+InputAndResult proximity_zones(const ShapeView& shapes, const ZoneOptions& options) {
+  Digest input, result;
+  add(input, shapes);
+  add(input, options.relative_tolerance);
+  add(input, options.distance);
+  attempt(result, [&] { add(result, zones({shapes, {}, {}, {}}, {}, options)); });
   return {input.value(), result.value()};
 }
 
