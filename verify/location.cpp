@@ -1,13 +1,41 @@
 #include "verify/location.h"
 
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "verify/predicates.h"
+#include "verify/scaled.h"
 
 namespace oblast::verify {
 namespace {
 
 int sign(const Estimate& e) { return e.certainly_positive() ? 1 : -e.value > e.error ? -1 : 0; }
+
+// A coordinate less an integer, both in units of a scale: a fraction that is not reduced, which would cost more than
+// all else here.
+struct Difference {
+  Integer numerator, denominator;
+
+  Difference(const Rational& coordinate, const WideInteger& other, int exponent)
+      : numerator(boost::multiprecision::numerator(coordinate)),
+        denominator(boost::multiprecision::denominator(coordinate)) {
+    if (exponent < 0)
+      numerator <<= -exponent;
+    else
+      denominator <<= exponent;
+    numerator -= Integer(other) * denominator;
+  }
+};
+
+int side_by_integers(const Point& a, const Point& b, const RationalPoint& p) {
+  const Scale scale(std::array{a, b});
+  const ScaledPoint from = scale(a), to = scale(b);
+  const Difference x(p.x, from.x, scale.exponent()), y(p.y, from.y, scale.exponent());
+  const Integer left = Integer(to.x - from.x) * y.numerator * x.denominator;
+  const Integer right = Integer(to.y - from.y) * x.numerator * y.denominator;
+  return (left > right) - (left < right);
+}
 
 }  // namespace
 
@@ -50,9 +78,7 @@ int side_of_line(const Point& a, const Point& b, const Location& p) {
   const Estimate determinant = (Estimate(b.x) - Estimate(a.x)) * (p.estimate().y - Estimate(a.y)) -
                                (Estimate(b.y) - Estimate(a.y)) * (p.estimate().x - Estimate(a.x));
   if (const int found = sign(determinant)) return found;
-  const RationalPoint from(a), to(b), &at = p.exact();
-  const Rational exact = (to.x - from.x) * (at.y - from.y) - (to.y - from.y) * (at.x - from.x);
-  return exact.sign();
+  return side_by_integers(a, b, p.exact());
 }
 
 int compare_y(const Location& p, double y) {
@@ -62,7 +88,9 @@ int compare_y(const Location& p, double y) {
     const double own = p.rounded().y;
     return (own > y) - (own < y);
   }
-  return p.exact().y.compare(Rational(y));
+  const Point at{0, y};
+  const Scale scale(std::span(&at, 1));
+  return Difference(p.exact().y, scale(at).y, scale.exponent()).numerator.sign();
 }
 
 }  // namespace oblast::verify
