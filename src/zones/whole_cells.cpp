@@ -1,7 +1,9 @@
 #include "zones/whole_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <span>
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
@@ -91,8 +93,16 @@ void add_outline(const Diagram& diagram, std::uint32_t vertex, std::uint32_t res
 }  // namespace
 
 std::optional<Box> rectangle_of(const RegionView& frame) {
-  if (frame.contour_ends.size() != 1 || frame.points.size() != 4) return {};
-  const auto& p = frame.points;
+  if (frame.contour_ends.size() != 1) return {};
+  const std::span<const Point> ring = frame.points;
+  std::array<Point, 4> p;
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (ring[i] == ring[i == 0 ? ring.size() - 1 : i - 1]) continue;  // many rings end with their first point
+    if (corners == p.size()) return {};
+    p[corners++] = ring[i];
+  }
+  if (corners != p.size()) return {};
   const auto is_rectangle = [&](const Point& a, const Point& b, const Point& c, const Point& d) {
     return a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
   };

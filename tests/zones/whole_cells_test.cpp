@@ -133,6 +133,10 @@ TEST(WholeCells, OnlyInRectangles) {
       clockwise{{{0, 1}, {0, 3}, {2, 3}, {2, 1}}, {4}, {1}};
   EXPECT_EQ(rectangle_of(turned)->x1, 2);
   EXPECT_EQ(rectangle_of(clockwise)->y1, 3);
+  EXPECT_TRUE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {2, 3}, {0, 3}, {0, 0}}, {5}, {1}}));
+  EXPECT_TRUE(rectangle_of(RegionSet{{{0, 0}, {0, 0}, {2, 0}, {2, 3}, {2, 3}, {0, 3}, {0, 0}}, {7}, {1}}));
+  EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {1, 0}, {2, 0}, {2, 3}, {0, 3}, {0, 0}}, {6}, {1}}));
+  EXPECT_FALSE(rectangle_of(RegionSet{{{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {4}, {1}}));
   EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {3, 3}, {0, 3}}, {4}, {1}}));
   EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {2, 3}}, {3}, {1}}));
 }
