@@ -37,10 +37,14 @@ def cut(own, cells, frame):
 
 def nearness(shapes, own, cells, frame, most=200_000):
     """The largest distance from a cell's border to its object, less that to the nearest one."""
-    points, row = shapely.get_coordinates(np.asarray(cells), return_index=True)
-    middles = (points[1:] + points[:-1])[row[1:] == row[:-1]] / 2
+    parts, row_of_part = shapely.get_parts(np.asarray(cells), return_index=True)
+    rings, part_of_ring = shapely.get_rings(parts, return_index=True)
+    points, ring = shapely.get_coordinates(rings, return_index=True)
+    row = row_of_part[part_of_ring][ring]
+    is_edge = ring[1:] == ring[:-1]
+    middles = (points[1:] + points[:-1])[is_edge] / 2
     places = shapely.points(np.concatenate([points, middles]))
-    rows = np.concatenate([row, row[1:][row[1:] == row[:-1]]])
+    rows = np.concatenate([row, row[1:][is_edge]])
     inside = shapely.dwithin(places, frame, 1e-6)
     chosen = np.flatnonzero(inside)
     if len(chosen) > most:
