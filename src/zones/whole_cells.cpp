@@ -1,9 +1,7 @@
 #include "zones/whole_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <span>
 
 #include "base/parallel.h"
 #include "exact/orientation.h"
@@ -45,9 +43,11 @@ class Cell {
     return ring.size() > 2;
   }
 
-  bool is_within(const Box& box) const {
-    return std::all_of(ring.begin(), ring.end(),
-                       [&](const Point& p) { return box.x0 < p.x && p.x < box.x1 && box.y0 < p.y && p.y < box.y1; });
+  /// REQUIRES: the ring is not empty.
+  Box box() const {
+    Box box = Box::of(ring.front(), ring.front());
+    for (const Point& p : ring) box = box.joined(p);
+    return box;
   }
 
   Array<Point> ring;  ///< counter-clockwise, no two neighbours equal
@@ -92,25 +92,7 @@ void add_outline(const Diagram& diagram, std::uint32_t vertex, std::uint32_t res
 
 }  // namespace
 
-std::optional<Box> rectangle_of(const RegionView& frame) {
-  if (frame.contour_ends.size() != 1) return {};
-  const std::span<const Point> ring = frame.points;
-  std::array<Point, 4> p;
-  std::size_t corners = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (ring[i] == ring[i == 0 ? ring.size() - 1 : i - 1]) continue;  // many rings end with their first point
-    if (corners == p.size()) return {};
-    p[corners++] = ring[i];
-  }
-  if (corners != p.size()) return {};
-  const auto is_rectangle = [&](const Point& a, const Point& b, const Point& c, const Point& d) {
-    return a.y == b.y && b.x == c.x && c.y == d.y && d.x == a.x;
-  };
-  if (!is_rectangle(p[0], p[1], p[2], p[3]) && !is_rectangle(p[1], p[2], p[3], p[0])) return {};
-  return Box::of(p[0], p[2]);
-}
-
-WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t rest) {
+WholeCells take_whole_cells(Diagram& diagram, const FrameInterior& frame, std::uint32_t rest) {
   const Array<bool> only = only_ones(diagram, rest);
   Array<Found> found(range_count(only.size(), tuning::cells_a_range));
   std::atomic<bool> all_convex = true;
@@ -121,8 +103,11 @@ WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t re
       if (diagram.object[v] == none) continue;
       const auto vertex = static_cast<std::uint32_t>(v);
       cell.go_around(vertex);
-      if (!cell.is_convex()) all_convex = false;
-      if (!only[v] || !cell.is_within(frame)) continue;
+      if (!cell.is_convex()) {
+        all_convex = false;
+        return;
+      }
+      if (!only[v] || !frame.holds(cell.box())) continue;
       here.points.insert(here.points.end(), cell.ring.begin(), cell.ring.end());
       here.vertices.push_back(vertex);
       here.sizes.push_back(static_cast<std::uint32_t>(cell.ring.size()));

@@ -2,24 +2,20 @@
 //
 // Rounding moves the vertices of the diagram. Where every cell of an object is still a convex polygon,
 // counter-clockwise (or one with vertices on its sides), the winding number of each cell is 0 or 1 at every place. In
-// the frame these add up to 1 (docs/zones.md), so the cells do not overlap and leave no gap. Cells that lie strictly
-// within a rectangular frame are rows then. Only the others are noded, with the frame; to them, all whole cells
-// together are one more object, the rest. Noding may not have moved its outline: then whole cells and the others still
+// the frame these add up to 1 (docs/zones.md), so the cells do not overlap and leave no gap. Cells whose boxes lie
+// strictly within the frame are rows then. Only the others are noded, with the frame; to them, all whole cells together
+// are one more object, the rest. Noding may not have moved its outline: then whole cells and the others still
 // share their borders.
 #pragma once
 
 #include <oblast/region_set.h>
 
 #include <cstdint>
-#include <optional>
 
-#include "plane/box.h"
 #include "zones/diagram.h"
+#include "zones/frame_interior.h"
 
 namespace oblast::internal::zoning {
-
-/// The rectangle along the axes that a frame is; nothing if it is none.
-std::optional<Box> rectangle_of(const RegionView& frame);
 
 /// An edge of a contour.
 struct OutlineEdge {
@@ -42,6 +38,6 @@ struct WholeCells {
 
 /// Finds the whole cells, and gives their vertices to the object `rest`. Finds none if the cell of some object is not
 /// convex. Objects with several vertices have no whole cells. REQUIRES: all sites are points, not samples.
-WholeCells take_whole_cells(Diagram& diagram, const Box& frame, std::uint32_t rest);
+WholeCells take_whole_cells(Diagram& diagram, const FrameInterior& frame, std::uint32_t rest);
 
 }  // namespace oblast::internal::zoning

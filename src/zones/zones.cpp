@@ -104,9 +104,8 @@ class Zones {
     statistics.sites = sampled.sites;
     statistics.rounds = sampled.rounds;
     statistics.error = sampled.error;
-    const std::optional<Box> rectangle = rectangle_of(frame());
-    if (skeleton.edges.empty() && rectangle && reach_source() == no_feature && whole_cells_ == WholeCellsAre::apart)
-      whole_ = take_whole_cells(sampled.diagram, *rectangle, rest());
+    if (skeleton.edges.empty() && reach_source() == no_feature && whole_cells_ == WholeCellsAre::apart)
+      whole_ = take_whole_cells(sampled.diagram, FrameInterior(frame()), rest());
     noding::Strands strands;
     // Points alone have nothing to flatten: all their borders are straight.
     const double flattening = skeleton.edges.empty() ? 0 : room_.flattening;

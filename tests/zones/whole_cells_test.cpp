@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "generators/company.h"
 #include "generators/random.h"
 #include "zones/zone_rows.h"
 
@@ -21,30 +22,23 @@ RegionSet rectangle(double x0, double y0, double x1, double y1) {
   return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {4}, {1}};
 }
 
-/// The zones of points in the square from (0, 0) to (9, 9). With a vertex more on its side it is no rectangle, and all
-/// cells are noded; the vertex is taken out of the result.
-FeatureSet zones_in_square(const std::vector<Point>& points, std::vector<std::uint32_t> rows, bool all_noded) {
-  RegionSet frame = rectangle(0, 0, 9, 9);
-  const Point more{4.000000123, 0};
-  if (all_noded) {
-    frame.points.insert(frame.points.begin() + 1, more);
-    frame.contour_ends[0] = 5;
-  }
-  FeatureSet zones = oblast::zones({{{}, {}, points}, {}, {}, std::move(rows)}, frame);
-  auto& all = zones.regions.points;
-  if (const auto found = std::find(all.begin(), all.end(), more); found != all.end()) {
-    const auto place = static_cast<std::uint32_t>(found - all.begin());
-    all.erase(found);
-    for (std::uint32_t& end : zones.regions.contour_ends) end -= end > place;
-  }
-  return zones;
+/// The zones of points in a frame. With the same frame twice no cell seems to be within it, and all cells are noded.
+FeatureSet zones_within(RegionSet frame, const std::vector<Point>& points, const std::vector<std::uint32_t>& rows,
+                        bool all_noded) {
+  if (all_noded) generators::append(frame, RegionSet(frame));
+  return oblast::zones({{{}, {}, points}, {}, {}, rows}, frame);
 }
 
-void expect_same(const std::vector<Point>& points, const std::vector<std::uint32_t>& rows = {}) {
-  const FeatureSet apart = zones_in_square(points, rows, false), noded = zones_in_square(points, rows, true);
+void expect_same(const RegionSet& frame, const std::vector<Point>& points,
+                 const std::vector<std::uint32_t>& rows = {}) {
+  const FeatureSet apart = zones_within(frame, points, rows, false), noded = zones_within(frame, points, rows, true);
   EXPECT_EQ(apart.regions, noded.regions);
   EXPECT_EQ(apart.feature_ends, noded.feature_ends);
   EXPECT_EQ(apart.keys, noded.keys);
+}
+
+void expect_same(const std::vector<Point>& points, const std::vector<std::uint32_t>& rows = {}) {
+  expect_same(rectangle(0, 0, 9, 9), points, rows);
 }
 
 std::vector<Point> uniform(int count, std::uint64_t seed) {
@@ -56,6 +50,18 @@ std::vector<Point> uniform(int count, std::uint64_t seed) {
 
 TEST(WholeCells, OfUniformPoints) {
   for (const int count : {1, 2, 3, 10, 100, 3000}) expect_same(uniform(count, static_cast<std::uint64_t>(count)));
+}
+
+TEST(WholeCells, InAnyFrame) {
+  const RegionSet slanted{{{4, -1}, {10, 5}, {5, 10}, {-1, 4}}, {4}, {1}};
+  const RegionSet with_a_hole{
+      {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 5}, {6, 6}, {5, 3}, {3, 3}}, {5, 10}, {2}};
+  const RegionSet overlapping{{{0, 0}, {6, 0}, {6, 9}, {0, 9}, {3, 1}, {9, 1}, {9, 8}, {3, 8}}, {4, 8}, {1, 2}};
+  const RegionSet outside = rectangle(20, 20, 30, 30);
+  for (const RegionSet& frame : {slanted, with_a_hole, overlapping, outside}) {
+    expect_same(frame, uniform(2000, 8));
+    expect_same(frame, uniform(3, 9));
+  }
 }
 
 TEST(WholeCells, OfGridsAndCircles) {
@@ -100,7 +106,8 @@ WholeCells whole_cells(const std::vector<Point>& points, const Box& box, double 
     GrowingDiagram growing({});
     growing.add(sites);
     Diagram diagram = growing.take();
-    cells = take_whole_cells(diagram, box, static_cast<std::uint32_t>(points.size()));
+    const FrameInterior frame(rectangle(box.x0, box.y0, box.x1, box.y1));
+    cells = take_whole_cells(diagram, frame, static_cast<std::uint32_t>(points.size()));
   });
   return cells;
 }
@@ -125,20 +132,6 @@ TEST(WholeCells, TellWhenNodingMovedTheirOutline) {
   EXPECT_FALSE(has_outline(noded, 300, cells));  // the vertices are not in the order of the outline
   EXPECT_FALSE(has_outline({}, 300, cells));
   EXPECT_TRUE(has_outline({}, 300, {}));
-}
-
-TEST(WholeCells, OnlyInRectangles) {
-  EXPECT_TRUE(rectangle_of(rectangle(0, 1, 2, 3)));
-  const RegionSet turned{{{0, 3}, {0, 1}, {2, 1}, {2, 3}}, {4}, {1}},
-      clockwise{{{0, 1}, {0, 3}, {2, 3}, {2, 1}}, {4}, {1}};
-  EXPECT_EQ(rectangle_of(turned)->x1, 2);
-  EXPECT_EQ(rectangle_of(clockwise)->y1, 3);
-  EXPECT_TRUE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {2, 3}, {0, 3}, {0, 0}}, {5}, {1}}));
-  EXPECT_TRUE(rectangle_of(RegionSet{{{0, 0}, {0, 0}, {2, 0}, {2, 3}, {2, 3}, {0, 3}, {0, 0}}, {7}, {1}}));
-  EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {1, 0}, {2, 0}, {2, 3}, {0, 3}, {0, 0}}, {6}, {1}}));
-  EXPECT_FALSE(rectangle_of(RegionSet{{{1, 1}, {1, 1}, {1, 1}, {1, 1}}, {4}, {1}}));
-  EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {3, 3}, {0, 3}}, {4}, {1}}));
-  EXPECT_FALSE(rectangle_of(RegionSet{{{0, 0}, {2, 0}, {2, 3}}, {3}, {1}}));
 }
 
 }  // namespace
