@@ -90,6 +90,23 @@ void ZoneArrangement::find_moved(double moved) {
     });
     s.may_move = s.may_move || (is_cut_by_rows && meets_others);
   }
+  while (spread_along_lines()) {
+  }
+}
+
+// Boundaries are cut at vertices on their edges. Where such a vertex is no corner of the row, the row has one edge, and
+// what moves one end of it moves all of it.
+bool ZoneArrangement::spread_along_lines() {
+  bool any = false;
+  for (ZoneEdge& s : edges_) {
+    if (s.of == ZoneEdge::row || s.may_move || s.a == s.b) continue;
+    for_each_near(s, 0, [&](const ZoneEdge& t) {
+      if (t.of != s.of || t.object != s.object || !t.may_move || t.a == t.b || !touches(s, t)) return;
+      s.may_move = s.may_move || (side_of_line(s.a, s.b, t.a) == 0 && side_of_line(s.a, s.b, t.b) == 0);
+    });
+    any = any || s.may_move;
+  }
+  return any;
 }
 
 std::vector<Location> ZoneArrangement::cuts_of(const ZoneEdge& s) const {

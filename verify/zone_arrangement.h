@@ -43,6 +43,7 @@ class ZoneArrangement {
  private:
   void collect(const JudgedZones& zones);
   void find_moved(double moved);
+  bool spread_along_lines();
 
   std::vector<ZoneEdge> edges_;
   NumberedAreas rows_, frame_;

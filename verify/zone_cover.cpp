@@ -188,18 +188,25 @@ class CoverCheck {
   }
 
   /// Whether the piece is beside a sliver, or crosses one: a sliver lies between an edge that may have moved and
-  /// another such edge, or the row edges in its place.
+  /// another such edge, or the row edges in its place. Not both may run along the piece; a row edge may run along the
+  /// edge that moved, if another edge is beside.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0) return false;
     for (const Location* p : {&from, &middle, &to}) {
-      bool moved = s.of != ZoneEdge::row && s.may_move, other = s.of == ZoneEdge::row;
+      const bool is_row = s.of == ZoneEdge::row;
+      bool moved = !is_row && s.may_move, other = is_row, moved_along = false, beside = false;
       all_.for_each_near(at(*p), 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (&t == &s || (t.of == ZoneEdge::row ? s.of == ZoneEdge::row : !t.may_move)) return;
-        if (p == &middle && side_of_line(t.a, t.b, *p) == 0) return;
-        bool& found = t.of == ZoneEdge::row || moved ? other : moved;
-        found = found || is_near(*p, t);
+        if (&t == &s || (t.of != ZoneEdge::row && !t.may_move)) return;
+        if (p == &middle && side_of_line(t.a, t.b, *p) == 0) {
+          moved_along = moved_along || (t.of != ZoneEdge::row && is_near(*p, t));
+          return;
+        }
+        if (!is_near(*p, t)) return;
+        beside = true;
+        if (t.of == ZoneEdge::row && is_row) return;
+        (t.of == ZoneEdge::row || moved ? other : moved) = true;
       });
-      if (!moved || !other) return false;
+      if (!(moved && other) && !(is_row && moved_along && beside)) return false;
     }
     return is_right_away_from(s, middle);
   }
