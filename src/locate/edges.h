@@ -1,9 +1,9 @@
 // The edges of all contours, as what locates points reads them.
 #pragma once
 
-#include <oblast/point.h>
+#include <oblast/region_set.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +21,14 @@ struct Edges {
   /// The end with the smaller y, and the other one.
   const Point& lower(Index edge) const { return from(edge).y <= to(edge).y ? from(edge) : to(edge); }
   const Point& upper(Index edge) const { return from(edge).y <= to(edge).y ? to(edge) : from(edge); }
+
+  /// Of the edges of these regions, at most.
+  static std::size_t bytes(const RegionView& regions) {
+    return (regions.points.size() + regions.contour_count()) * (sizeof(Point) + sizeof(Index));
+  }
 };
+
+/// The edges of all contours, with 0.0 in place of -0.0. Throws Error(too_large).
+Edges edges_of(const RegionView& regions);
 
 }  // namespace oblast::internal::locate

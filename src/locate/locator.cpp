@@ -20,10 +20,8 @@ struct Locator::Prepared : locate::PreparedRegions {
 Locator::Locator(const RegionView& regions, const CallOptions& options)
     : prepared_(public_call(options, regions.points.size(), [&](Control&) {
         validate(regions, 0);
-        const std::size_t points = regions.points.size() + regions.contour_count();
-        check_count(points, "points of closed contours");
-        const Charge charge(points * (sizeof(Point) + sizeof(locate::Index)));
-        return std::make_unique<const Prepared>(regions);
+        const Charge charge(locate::Edges::bytes(regions));
+        return std::make_unique<const Prepared>(locate::edges_of(regions));
       })) {}
 
 Locator::~Locator() = default;

@@ -8,33 +8,10 @@
 #include "base/tuning.h"
 
 namespace oblast::internal::locate {
-namespace {
-
-Edges edges_of(const RegionView& regions) {
-  Edges result;
-  result.points.reserve(regions.points.size() + regions.contour_count());
-  result.edges.reserve(regions.points.size());
-  for (const std::span<const Point> contour : regions.contours()) {
-    const auto add = [&](const Point& p, std::size_t first) {
-      if (result.points.size() > first) {
-        if (result.points.back() == p) return;
-        result.edges.push_back(static_cast<Index>(result.points.size() - 1));
-      }
-      result.points.push_back({p.x + 0.0, p.y + 0.0});  // -0.0 becomes 0.0
-    };
-    const std::size_t first = result.points.size();
-    for (const Point& p : contour) add(p, first);
-    if (!contour.empty()) add(contour.front(), first);
-  }
-  return result;
-}
-
-}  // namespace
-
 static_assert(static_cast<Location>(CellAnswer::inside) == Location::inside);
 static_assert(static_cast<Location>(CellAnswer::boundary) == Location::boundary);
 
-PreparedRegions::PreparedRegions(const RegionView& regions) : edges_(edges_of(regions)), grid_(edges_) {
+PreparedRegions::PreparedRegions(Edges edges) : edges_(std::move(edges)), grid_(edges_) {
   if (!grid_.has_crowds()) {
     edges_ = {};
     return;

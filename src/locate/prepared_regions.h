@@ -16,7 +16,7 @@ namespace oblast::internal::locate {
 /// See Locator for what it promises. REQUIRES: regions and points are valid; floating point is in its default modes.
 class PreparedRegions {
  public:
-  explicit PreparedRegions(const RegionView& regions);
+  explicit PreparedRegions(Edges edges);
   PreparedRegions(const PreparedRegions&) = delete;
   PreparedRegions& operator=(const PreparedRegions&) = delete;
 

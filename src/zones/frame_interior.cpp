@@ -1,8 +1,6 @@
 #include "zones/frame_interior.h"
 
-#include <algorithm>
-#include <utility>
-
+#include "base/large_pages.h"
 #include "exact/orientation.h"
 
 namespace oblast::internal::zoning {
@@ -20,32 +18,24 @@ bool meets(const Point& from, const Point& to, const Box& box) {
   return left && right;
 }
 
-template <class Edge>
-Array<Box> boxes_of(const LargeArray<Edge>& edges) {
+Array<Box> boxes_of(const locate::Edges& edges) {
   Array<Box> boxes;
-  boxes.reserve(edges.size());
-  for (const Edge& e : edges) boxes.push_back(Box::of(e.from, e.to));
+  boxes.reserve(edges.edges.size());
+  for (const locate::Index e : edges.edges) boxes.push_back(Box::of(edges.from(e), edges.to(e)));
   return boxes;
 }
 
 }  // namespace
 
-LargeArray<FrameInterior::Edge> FrameInterior::edges_of(const RegionView& frame) {
-  LargeArray<Edge> edges;
-  edges.reserve(frame.points.size());
-  for (const std::span<const Point> ring : frame.contours())
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
-  return edges;
-}
-
-FrameInterior::FrameInterior(const RegionView& frame) : FrameInterior(frame, edges_of(frame)) {}
-
-FrameInterior::FrameInterior(const RegionView& frame, LargeArray<Edge> edges)
-    : edges_(std::move(edges)), boxes_(boxes_of(edges_)), regions_(frame) {}
+FrameInterior::FrameInterior(const RegionView& frame)
+    : charge_(locate::Edges::bytes(frame)),
+      edges_(locate::edges_of(frame)),
+      boxes_(boxes_of(edges_)),
+      regions_(edges_) {}
 
 bool FrameInterior::holds(const Box& box) const {
-  const bool is_clear =
-      boxes_.for_each_near(box, [&](std::uint32_t e) { return !meets(edges_[e].from, edges_[e].to, box); });
+  const bool is_clear = boxes_.for_each_near(
+      box, [&](std::uint32_t e) { return !meets(edges_.from(edges_.edges[e]), edges_.to(edges_.edges[e]), box); });
   return is_clear && regions_.locate({box.x0, box.y0}) == Location::inside;
 }
 

@@ -3,7 +3,8 @@
 
 #include <oblast/region_set.h>
 
-#include "base/large_pages.h"
+#include "base/memory_budget.h"
+#include "locate/edges.h"
 #include "locate/prepared_regions.h"
 #include "plane/box.h"
 #include "plane/box_tree.h"
@@ -12,7 +13,7 @@ namespace oblast::internal::zoning {
 
 class FrameInterior {
  public:
-  /// The frame is the union of its polygons. Cost: O(n log n).
+  /// The frame is the union of its polygons. Cost: O(n log n). REQUIRES: it is destroyed within the call.
   explicit FrameInterior(const RegionView& frame);
 
   /// Whether all of the box is inside, and no edge of the frame meets it. No for a box in an even number of polygons.
@@ -20,13 +21,8 @@ class FrameInterior {
   bool holds(const Box& box) const;
 
  private:
-  struct Edge {
-    Point from, to;
-  };
-  explicit FrameInterior(const RegionView& frame, LargeArray<Edge> edges);
-  static LargeArray<Edge> edges_of(const RegionView& frame);
-
-  LargeArray<Edge> edges_;
+  Charge charge_;  ///< of the edges
+  locate::Edges edges_;
   BoxTree boxes_;
   locate::PreparedRegions regions_;
 };
