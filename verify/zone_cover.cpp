@@ -1,8 +1,8 @@
 // Z1 and Z2. Edges of rows, objects and frame are cut where they meet; the labels of both sides of every piece say
 // which objects and rows are there.
 //
-// Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and the row
-// edges in its place, where labels are wrong; and slivers of objects and frames that are thinner than that may be gone.
+// Noding moves edges that cross at places that are no doubles. So there may be slivers between such an edge and another
+// one, where labels are wrong or which are gone.
 // A fault is excused if it is beside an edge that may have moved, and if a small step away from the piece labels are
 // right again. A line or a point that moved is excused in the row of another object that is as near.
 #include <algorithm>
@@ -187,26 +187,18 @@ class CoverCheck {
     return squared_distance(p.exact(), s.a, s.b) <= Rational(bounds_.moved) * Rational(bounds_.moved);
   }
 
-  /// Whether the piece is beside a sliver, or crosses one: a sliver lies between an edge that may have moved and
-  /// another such edge, or the row edges in its place. Not both may run along the piece; a row edge may run along the
-  /// edge that moved, if another edge is beside.
+  /// Whether the piece is beside a sliver, or crosses one: a sliver lies between two edges, not both along the piece,
+  /// and one of them may have moved.
   bool is_sliver(const ZoneEdge& s, const Location& from, const Location& middle, const Location& to) const {
     if (bounds_.moved == 0) return false;
     for (const Location* p : {&from, &middle, &to}) {
-      const bool is_row = s.of == ZoneEdge::row;
-      bool moved = !is_row && s.may_move, other = is_row, moved_along = false, beside = false;
+      bool moved = s.may_move, beside = false;
       all_.for_each_near(at(*p), 2 * bounds_.moved, [&](const ZoneEdge& t) {
-        if (&t == &s || (t.of != ZoneEdge::row && !t.may_move)) return;
-        if (p == &middle && side_of_line(t.a, t.b, *p) == 0) {
-          moved_along = moved_along || (t.of != ZoneEdge::row && is_near(*p, t));
-          return;
-        }
-        if (!is_near(*p, t)) return;
-        beside = true;
-        if (t.of == ZoneEdge::row && is_row) return;
-        (t.of == ZoneEdge::row || moved ? other : moved) = true;
+        if (&t == &s || t.a == t.b || !is_near(*p, t)) return;
+        moved = moved || t.may_move;
+        beside = beside || p != &middle || side_of_line(t.a, t.b, *p) != 0;
       });
-      if (!(moved && other) && !(is_row && moved_along && beside)) return false;
+      if (!moved || !beside) return false;
     }
     return is_right_away_from(s, middle);
   }

@@ -103,7 +103,7 @@ class DistanceCheck {
     if (mine.high * (1 + 0x1p-50) <= bounds_.upper || squared_distance_of(p, mine) <= squared(Rational(bounds_.upper)))
       return false;
     const bool is_excused =
-        std::any_of(near_.begin(), near_.end(), [&](const Near& n) { return is_thin_at(p, *n.edge); });
+        std::any_of(near_.begin(), near_.end(), [&](const Near& n) { return is_thin_at(p, *n.edge, 0); });
     measures_.excused += is_excused;
     return !is_excused;
   }
@@ -140,27 +140,35 @@ class DistanceCheck {
       if (is_surely_within(mine, n.distance) ||
           root_is_within(square, squared_distance(RationalPoint(p), n.edge->a, n.edge->b), epsilon))
         return true;
-      const bool is_excused = is_thin_at(p, *n.edge);
+      const bool is_excused = is_thin_at(p, *n.edge, mine.high - bounds_.epsilon);
       measures_.excused += is_excused;
       return is_excused;
     });
   }
 
-  /// Whether the polygon is thinner than edges may have moved, near to the place of the edge that is nearest to p:
-  /// another edge of its object is that near to it over some length.
-  bool is_thin_at(const Point& p, const ZoneObjects::Edge& e) const {
+  /// Whether the polygon at the edge is thinner than edges may have moved, wherever the edge is nearer to p than
+  /// `reach`, and at least some way along it: near every corner a polygon is thin.
+  bool is_thin_at(const Point& p, const ZoneObjects::Edge& e, double reach) const {
     if (!e.of_region || bounds_.moved == 0) return false;
     const double ex = e.b.x - e.a.x, ey = e.b.y - e.a.y, length = std::sqrt(ex * ex + ey * ey);
     const double along = std::clamp(((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length), 0.0, 1.0);
-    const double step = std::min(64 * bounds_.moved / length, 0.5);
-    const double t = along < 0.5 ? along + step : along - step;
-    const Point aside{e.a.x + ex * t, e.a.y + ey * t};
+    const double aside = std::abs((p.x - e.a.x) * ey - (p.y - e.a.y) * ex) / length;
+    const double nearer = reach > aside ? std::sqrt((reach - aside) * (reach + aside)) : 0;
+    const double half = std::max(nearer, 8 * bounds_.moved) / length;
+    for (int k = -4; k <= 4; ++k) {
+      const double t = std::clamp(along + k * half / 4, 0.0, 1.0);
+      if (!is_near_another({e.a.x + ex * t, e.a.y + ey * t}, e)) return false;
+    }
+    return true;
+  }
+
+  bool is_near_another(const Point& on_edge, const ZoneObjects::Edge& e) const {
     bool found = false;
     const auto limit = [&] { return 2 * bounds_.moved; };
-    zones_.objects.tree.near(aside, limit, [&](std::uint32_t k) {
+    zones_.objects.tree.near(on_edge, limit, [&](std::uint32_t k) {
       const ZoneObjects::Edge& other = zones_.objects.edges[k];
       if (&other != &e && other.of_region && other.object == e.object)
-        found |= estimated_distance(aside, other).low <= 2 * bounds_.moved;
+        found |= estimated_distance(on_edge, other).low <= 2 * bounds_.moved;
     });
     return found;
   }
@@ -172,7 +180,7 @@ class DistanceCheck {
           p, [&] { return bounds_.moved; },
           [&](std::uint32_t k) {
             const ZoneObjects::Edge& e = zones_.objects.edges[k];
-            is_thin |= e.object == object && estimated_distance(p, e).low <= bounds_.moved && is_thin_at(p, e);
+            is_thin |= e.object == object && estimated_distance(p, e).low <= bounds_.moved && is_thin_at(p, e, 0);
           });
       return is_thin;
     });
@@ -187,7 +195,7 @@ class DistanceCheck {
     const bool is_near = std::any_of(near_.begin(), near_.end(), [&](const Near& n) {
       return n.distance.low < bounds_.lower &&
              squared_distance(RationalPoint(p), n.edge->a, n.edge->b) < squared(Rational(bounds_.lower)) &&
-             !is_thin_at(p, *n.edge);
+             !is_thin_at(p, *n.edge, bounds_.lower);
     });
     if (is_near || (!holders.empty() && !is_in_thin_parts(p, holders)))
       fail("a place nearer than the largest distance is in no row", p);

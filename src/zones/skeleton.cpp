@@ -19,10 +19,10 @@ using namespace triangulation;
 /// The least radius of a contact, in units: what is nearer together is not told apart.
 constexpr double least_radius = 16;
 
-/// A strip is so high, in units, that noding does not close it.
+/// A strip is so high, in units, that noding does not close it; nor an overlap of polygons.
 constexpr double least_height = 8;
 
-/// How many thin triangles a strip passes at most.
+/// How many thin triangles a strip passes at most, and how many are passed to find an overlap.
 constexpr int deepest_strip = 8;
 
 class Finder {
@@ -115,7 +115,7 @@ class Finder {
       const SettledEdge& edge = settled_.edges[e];
       on_edge_[low] = on_edge_[high] = true;
       const HalfEdge h = half_edges_[k];
-      if (cover_[triangle_of(h)] > 0 && cover_[triangle_of(mesh_.twin(h))] > 0) continue;
+      if (is_covered(h) && is_covered(mesh_.twin(h)) && !may_open(h) && !may_open(mesh_.twin(h))) continue;
       const std::uint32_t object = std::min(edge.outline_of, edge.line_of);
       skeleton_.edges.push_back({mesh_.points[low], mesh_.points[high], object, none, none, low, high});
       append_strip(h);
@@ -124,6 +124,33 @@ class Finder {
         owner_[v] = std::min(owner_[v], object);
       }
     }
+  }
+
+  /// Whether polygons cover the triangle on the left of a side.
+  bool is_covered(HalfEdge h) const { return cover_[triangle_of(h)] > 0; }
+
+  /// Whether noding may open a gap at an edge: on its left two polygons overlap, so little that their edges may change
+  /// places. Between the edges there would be as many polygons as on both sides less those of the overlap.
+  ///
+  ///      A         A           the edge of A and that of B, numbers of polygons beside them
+  ///     ___ B     === A      1                  1
+  ///     === A     ___ B      2 in the overlap   0 where they have changed places
+  ///      B         B         1                  1
+  bool may_open(HalfEdge h) const {
+    const std::int32_t more = cover_[triangle_of(h)] - cover_[triangle_of(mesh_.twin(h))];
+    return more > 0 && is_thin_up_to(h, mesh_.points[mesh_.origin(h)], mesh_.points[mesh_.target(h)], more, 0);
+  }
+
+  /// Whether thin triangles on the left of a side lead to one that at most so many polygons cover.
+  bool is_thin_up_to(HalfEdge h, const Point& from, const Point& to, std::int32_t polygons, int depth) const {
+    if (mesh_.triangles[triangle_of(h)].is_ghost()) return false;
+    if (distance_from_segment(mesh_.points[mesh_.apex(h)], from, to) > least_height * room_.unit) return false;
+    for (const HalfEdge side : {next(h), previous(h)}) {
+      const HalfEdge behind = mesh_.twin(side);
+      if (cover_[triangle_of(behind)] <= polygons) return true;
+      if (depth < deepest_strip && is_thin_up_to(behind, from, to, polygons, depth + 1)) return true;
+    }
+    return false;
   }
 
   /// Appends the top of the strip along a part of a side, on its left, from `to` to `from`, without these. Where the

@@ -1,7 +1,8 @@
 // Step 2 of zones: which edges and points have places near them to give away, and whose they are.
 //
 // Within polygons all places are taken. So only edges matter that have a side which no polygon covers: the outline of
-// the union of all polygons, and lines outside of it. Each belongs to one object, the lowest that has it. A constrained
+// the union of all polygons, and lines outside of it. Where two polygons overlap by some units in the last place only,
+// noding may open a gap between them, so their edges there matter, too. Each belongs to one object, the lowest that has it. A constrained
 // triangulation of all edges finds the sides that are covered, and how near the next thing is to each contact.
 //
 // A contact is a vertex where edges of different objects meet. No site stands there. Instead, one stands on each of its
@@ -27,7 +28,7 @@ struct Contact {
                   ///< meet here, but not below some units in the last place
 };
 
-/// An edge with a side that is not covered.
+/// An edge with a side that is not covered, or at which noding may open a gap.
 struct FreeEdge {
   Point low, high;
   std::uint32_t object;
