@@ -39,7 +39,7 @@ void add_choice(CLI::App& command, const std::string& name, Value& value,
   command
       .add_option_function<std::string>(
           name,
-          [&value, words, name](const std::string& given) {
+          [&value, words = std::move(words), name](const std::string& given) {
             std::string known;
             for (const auto& [word, meaning] : words) {
               if (word == given) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "oblast/command.h"
@@ -51,7 +52,7 @@ void add_help(CLI::App& program, Invocation& invocation) {
   command->callback([words, &program, &invocation] {
     invocation.run = [words, &program] {
       // A selected subcommand would show its own help in place of that of the program.
-      const std::vector<std::string> wanted = *words;
+      const std::vector<std::string> wanted = std::exchange(*words, {});
       program.clear();
       fmt::print("{}", help_of(program, wanted));
       return exit_done;

@@ -64,7 +64,7 @@ Point circumcentre(const Point& a, const Point& b, const Point& c) {
     x.error *= 3;
     y.error *= 3;
     const Point p{rounded(a.x, x, twice), rounded(a.y, y, twice)};
-    if (p.x == p.x && p.y == p.y) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
+    if (!std::isnan(p.x) && !std::isnan(p.y)) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
   }
   return by_expansions(a, b, c);
 }

@@ -51,7 +51,7 @@ Point intersection_point(const Point& a, const Point& b, const Point& c, const P
     const double t_error =
         1.01 * (numerator.error + t.size() * denominator.error) / denominator.value.size() + pair_unit * t.size();
     const Point p{rounded(a.x, t, t_error, rx), rounded(a.y, t, t_error, ry)};
-    if (p.x == p.x && p.y == p.y) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
+    if (!std::isnan(p.x) && !std::isnan(p.y)) return {p.x == 0 ? 0.0 : p.x, p.y == 0 ? 0.0 : p.y};
   }
   return by_expansions(a, b, c, d);
 }

@@ -94,7 +94,7 @@ class RowsText {
     }
     text += R"(},"geometry":)";
     append_geometry(text, row);
-    text += "}";
+    text += '}';
   }
 
   void add_notes(const Counts& not_finite, std::vector<std::string>& notes) const {
