@@ -2,8 +2,9 @@
 //
 // Within polygons all places are taken. So only edges matter that have a side which no polygon covers: the outline of
 // the union of all polygons, and lines outside of it. Where two polygons overlap by some units in the last place only,
-// noding may open a gap between them, so their edges there matter, too. Each belongs to one object, the lowest that has it. A constrained
-// triangulation of all edges finds the sides that are covered, and how near the next thing is to each contact.
+// noding may open a gap between them, so their edges there matter, too. Each belongs to one object, the lowest that has
+// it. A constrained triangulation of all edges finds the sides that are covered, and how near the next thing is to each
+// contact.
 //
 // A contact is a vertex where edges of different objects meet. No site stands there. Instead, one stands on each of its
 // edges at the same distance, the radius of the contact. Between two of them the border is the bisector of the edges,
