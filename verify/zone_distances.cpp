@@ -151,12 +151,15 @@ class DistanceCheck {
   bool is_thin_at(const Point& p, const ZoneObjects::Edge& e, double reach) const {
     if (!e.of_region || bounds_.moved == 0) return false;
     const double ex = e.b.x - e.a.x, ey = e.b.y - e.a.y, length = std::sqrt(ex * ex + ey * ey);
-    const double along = std::clamp(((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length), 0.0, 1.0);
+    const double foot = ((p.x - e.a.x) * ex + (p.y - e.a.y) * ey) / (length * length),
+                 nearest = std::clamp(foot, 0.0, 1.0);
     const double aside = std::abs((p.x - e.a.x) * ey - (p.y - e.a.y) * ex) / length;
-    const double nearer = reach > aside ? std::sqrt((reach - aside) * (reach + aside)) : 0;
-    const double half = std::max(nearer, 8 * bounds_.moved) / length;
-    for (int k = -4; k <= 4; ++k) {
-      const double t = std::clamp(along + k * half / 4, 0.0, 1.0);
+    const double nearer = reach > aside ? std::sqrt((reach - aside) * (reach + aside)) / length : 0;
+    const double some_way = 8 * bounds_.moved / length;
+    const double begin = std::clamp(std::min(foot - nearer, nearest - some_way), 0.0, 1.0);
+    const double end = std::clamp(std::max(foot + nearer, nearest + some_way), 0.0, 1.0);
+    for (int k = 0; k <= 8; ++k) {
+      const double t = begin + (end - begin) * k / 8;
       if (!is_near_another({e.a.x + ex * t, e.a.y + ey * t}, e)) return false;
     }
     return true;
