@@ -16,7 +16,7 @@ std::span<const HostileGenerator> hostile_generators() {
        near_parallel_bundles, 20, 60, 150},
       {"fans", "many edges at one vertex", fans},
       {"combs", "combs whose teeth meet in one point, or almost", combs},
-      {"stars", "contours that cross themselves many times near one point", stars, 60, 150},
+      {"stars", "contours that cross themselves many times near one point", stars, 60, 150, 500},
       {"t_junctions", "rows of cells along one line, divided differently on its two sides", t_junctions},
       {"vertices_on_edges", "every vertex on an edge of the other operand, up to rounding", vertices_on_edges},
       {"slivers", "a contour against itself with vertices added and nudged", slivers},
