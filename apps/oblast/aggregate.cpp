@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
 

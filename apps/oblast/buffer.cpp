@@ -3,6 +3,7 @@
 #include <oblast/buffer.h>
 #include <oblast/oblast.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 

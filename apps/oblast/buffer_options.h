@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "oblast/cli.h"
 #include "oblast/row_job.h"
 
 namespace oblast::app {

@@ -3,9 +3,10 @@
 
 #include <oblast/options.h>
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <string>
+
+#include "oblast/cli.h"
 
 namespace oblast::app {
 

@@ -1,6 +1,7 @@
 // `oblast check`: whether a file is what it is taken for. By default its features, on request more (see the footer).
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/domain.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "io/crs.h"

@@ -3,13 +3,13 @@
 
 #include <oblast/options.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/layer.h"
+#include "oblast/cli.h"
 #include "oblast/inputs.h"
 
 namespace oblast::app {

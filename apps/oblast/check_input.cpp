@@ -1,6 +1,8 @@
 // One file, as it is checked; see check_input.h.
 #include "oblast/check_input.h"
 
+#include <CLI/CLI.hpp>
+
 #include "io/formats.h"
 
 namespace oblast::app {

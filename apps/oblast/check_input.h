@@ -1,12 +1,12 @@
 // What all forms of `oblast check` read: one file, with the options of input that the other commands have.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "io/layer.h"
 #include "io/read.h"
+#include "oblast/cli.h"
 #include "oblast/console.h"
 #include "oblast/inputs.h"
 

@@ -1,6 +1,7 @@
 // `oblast classic`: runs one of the classic methods; an error outside its domain.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>

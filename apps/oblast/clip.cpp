@@ -2,6 +2,8 @@
 // feature, so its rows divide nothing, however they overlap.
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
+
 #include "oblast/row_job.h"
 
 namespace oblast::app {

@@ -1,10 +1,11 @@
 // The interface between a command and the program: a command adds its options and sets the function to run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <stdexcept>
 #include <string>
+
+#include "oblast/cli.h"
 
 namespace oblast::app {
 

@@ -1,6 +1,7 @@
 // `oblast compare`: runs every method on one pair of operands.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "io/picture_file.h"

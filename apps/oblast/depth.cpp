@@ -1,6 +1,8 @@
 // `oblast depth`: how many features cover a place.
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
+
 #include "oblast/groups.h"
 #include "oblast/row_job.h"
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "oblast/aggregate.h"

@@ -1,6 +1,8 @@
 // `oblast generate`: generates data for measurements.
 #include "oblast/generate.h"
 
+#include <CLI/CLI.hpp>
+
 namespace oblast::app {
 
 void add_generate(CLI::App& program, Invocation& invocation) {

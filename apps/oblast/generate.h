@@ -1,6 +1,7 @@
 // The commands of `oblast generate`.
 #pragma once
 
+#include "oblast/cli.h"
 #include "oblast/command.h"
 
 namespace oblast::app {

@@ -1,6 +1,7 @@
 // `oblast generate roads`: writes the network of roads.h as lines.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "io/crs.h"

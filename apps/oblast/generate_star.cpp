@@ -1,6 +1,7 @@
 // `oblast generate star`: one large wavy polygon. Two of them, with different turns, cross in few points.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdint>
 #include <memory>

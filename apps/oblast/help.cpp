@@ -1,6 +1,7 @@
 // `oblast help`: the help of the program, of a command, and the recipes.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 #include <vector>

@@ -1,6 +1,8 @@
 // Two columns, wrapped; see help_format.h.
 #include "oblast/help_format.h"
 
+#include <CLI/CLI.hpp>
+
 namespace oblast::app {
 
 namespace {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <oblast/hull.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 

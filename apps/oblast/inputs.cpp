@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/measure.h>
 
+#include <CLI/CLI.hpp>
 #include <iterator>
 
 #include "io/crs.h"

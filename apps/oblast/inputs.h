@@ -1,12 +1,12 @@
 // What the commands that read layers have in common: their options, and what is said of the reading.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "io/layer.h"
 #include "io/read.h"
+#include "oblast/cli.h"
 
 namespace oblast::app {
 

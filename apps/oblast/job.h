@@ -4,12 +4,12 @@
 #include <oblast/options.h>
 #include <oblast/region_set.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/layer.h"
+#include "oblast/cli.h"
 #include "oblast/command.h"
 #include "oblast/inputs.h"
 #include "oblast/outputs.h"

@@ -4,6 +4,7 @@
 #include <oblast/layers.h>
 #include <oblast/oblast.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <map>

@@ -1,12 +1,12 @@
 // What the commands that write a result have in common: where it goes, and where the report goes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "io/write.h"
+#include "oblast/cli.h"
 #include "oblast/command.h"
 
 namespace oblast::app {

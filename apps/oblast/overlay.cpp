@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
+
 #include "oblast/job.h"
 #include "oblast/names.h"
 #include "oblast/row_job.h"

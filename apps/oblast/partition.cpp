@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <oblast/features.h>
 
+#include <CLI/CLI.hpp>
+
 #include "oblast/file_names.h"
 #include "oblast/row_job.h"
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/error.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <new>
 #include <nlohmann/json.hpp>

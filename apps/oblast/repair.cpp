@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <oblast/repair.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "oblast/check_input.h"

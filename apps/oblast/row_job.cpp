@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <oblast/oblast.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 

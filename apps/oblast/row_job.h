@@ -4,7 +4,6 @@
 
 #include <oblast/features.h>
 
-#include <CLI/CLI.hpp>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "io/picture.h"
 #include "io/row_columns.h"
 #include "io/rows.h"
+#include "oblast/cli.h"
 #include "oblast/console.h"
 #include "oblast/job.h"
 #include "oblast/stopwatch.h"

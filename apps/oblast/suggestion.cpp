@@ -1,6 +1,7 @@
 // Edit distance, and a list of words that other programs use.
 #include "oblast/suggestion.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numeric>
 #include <utility>

@@ -1,8 +1,9 @@
 // What a mistyped word may have meant.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "oblast/cli.h"
 
 namespace oblast::app {
 

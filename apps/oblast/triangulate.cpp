@@ -3,6 +3,7 @@
 #include <oblast/oblast.h>
 #include <oblast/triangulate.h>
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <oblast/zones.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <numeric>
 

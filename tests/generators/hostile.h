@@ -24,7 +24,7 @@ struct HostileGenerator {
   Operands (*make)(std::uint64_t seed, int size);
   int usual = 60;      ///< the largest size at which a case takes milliseconds, for runs over very many cases
   int larger = 500;    ///< a size at which a case has at most many thousand meetings, for tests that should be fast
-  int largest = 4000;  ///< a size at which a case takes some tenths of a second, for a few among very many cases
+  int largest = 4000;  ///< a size at which a call takes some tenths of a second, for a few among very many cases
 };
 
 /// All of them, in a fixed order.
