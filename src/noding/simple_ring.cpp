@@ -30,7 +30,8 @@ bool is_tangled_anyhow(std::span<const Point> closed_ring) {
 
 }  // namespace
 
-// A ring that turns one way only and has one smallest and one largest vertex is convex and simple.
+// A ring that turns one way only and has one smallest and one largest vertex is convex and simple, if no neighbours are
+// equal: those make no turn, and between two steps down they are no extreme either.
 int convex_turn(std::span<const Point> ring) {
   const std::size_t n = ring.size();
   int turn = 0, extremes = 0;
@@ -39,6 +40,7 @@ int convex_turn(std::span<const Point> ring) {
     const int t = orientation(a, b, c);
     const bool extreme = lexicographically_less(a, b) != lexicographically_less(b, c);
     if (extreme && (t == 0 || ++extremes > 2)) return 0;
+    if (t == 0 && b == c) return 0;
     if (t != 0) {
       if (turn == -t) return 0;
       turn = t;

@@ -25,8 +25,9 @@ RingShape ring_shape(std::span<const Point> ring);
 /// another. `tree` is room to work in. Cost: O(n) for most rings, O(n log n) for all.
 bool is_tangled(std::span<const Point> closed_ring, RingTree& tree);
 
-/// The common sign of all turns when the ring is convex (straight vertices allowed); 0 when it is not. `ring` as for
-/// ring_shape. Cost: linear, and for most rings that are not convex a few vertices.
+/// The common sign of all turns when the ring is convex (straight vertices allowed); 0 when it is not, or has repeated
+/// neighbours. `ring` is closed implicitly, at least three vertices. Cost: linear, and for most rings that are not
+/// convex a few vertices.
 int convex_turn(std::span<const Point> ring);
 
 /// The turn at the smallest vertex, which gives the direction of a simple ring.

@@ -31,7 +31,6 @@ std::optional<Window> Window::of(std::span<const Point> contour, std::pmr::memor
     std::for_each(std::make_reverse_iterator(smallest + 1), contour.rend(), add);
     std::for_each(contour.rbegin(), std::make_reverse_iterator(smallest + 1), add);
   }
-  if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return {};
   const auto largest = std::max_element(corners.begin(), corners.end(), lexicographically_less);
   window.largest_ = static_cast<std::uint32_t>(largest - corners.begin());
   window.box_ = Box::of(corners.front(), *largest);

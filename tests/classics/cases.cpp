@@ -189,9 +189,19 @@ RegionSet any_polygons(Plane& plane) {
   return r;
 }
 
-}  // namespace
+/// Some vertices are given twice, one after the other.
+RegionSet with_repeated_vertices(const RegionSet& regions, Random& random) {
+  RegionSet r;
+  r.polygon_ends = regions.polygon_ends;
+  for (std::uint32_t c = 0, i = 0; c < regions.contour_ends.size(); ++c) {
+    for (; i < regions.contour_ends[c]; ++i)
+      r.points.insert(r.points.end(), random.one_in(6) ? 2 : 1, regions.points[i]);
+    r.contour_ends.push_back(static_cast<std::uint32_t>(r.points.size()));
+  }
+  return r;
+}
 
-ClassicCase window_case(Random& random) {
+ClassicCase window_case_of_distinct_neighbours(Random& random) {
   if (random.one_in(3)) return inside(ClassicMethod::orourke, random);
   const Spread spread = draw_spread(random);
   Plane plane(random, spread, random.between(3, random.one_in(2) ? 60 : 9));
@@ -213,6 +223,17 @@ ClassicCase window_case(Random& random) {
   }
   if (random.one_in(2)) c.b = reversed(c.b);
   if (random.one_in(2)) std::swap(c.a, c.b);
+  return c;
+}
+
+}  // namespace
+
+ClassicCase window_case(Random& random) {
+  ClassicCase c = window_case_of_distinct_neighbours(random);
+  if (random.one_in(4)) {
+    c.a = with_repeated_vertices(c.a, random);
+    if (random.one_in(2)) c.b = with_repeated_vertices(c.b, random);
+  }
   return c;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <oblast/oblast.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -101,6 +102,27 @@ TEST(WindowClip, Declines) {
   drop.collinear = CollinearVertices::drop;
   for (const Options& options : {positive, vatti, drop})
     expect_declined(a, rectangle(1, 1, 5, 3), Operation::intersection, options);
+}
+
+// Wherever a contour begins, whichever way it runs, and whichever of its vertices is given twice.
+TEST(WindowClip, RepeatedVerticesAreInNoResult) {
+  const std::vector<Point> triangle{{-3, 0}, {1, 3}, {-3, -1}};
+  const RegionSet apart = rectangle(2, 1, 4, 4), across = rectangle(-2, -4, -1, 4), around = rectangle(-9, -9, 9, 9);
+  for (std::size_t twice = 0; twice < 3; ++twice)
+    for (std::size_t begin = 0; begin < 4; ++begin)
+      for (const bool runs_back : {false, true}) {
+        std::vector<Point> ring = triangle;
+        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(twice), triangle[twice]);
+        std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(begin), ring.end());
+        if (runs_back) std::reverse(ring.begin(), ring.end());
+        for (const RegionSet& other : {apart, across, around})
+          for (const Operation operation : three) {
+            EXPECT_EQ(overlay(one_contour(ring), other, operation),
+                      by_pipeline(one_contour(triangle), other, operation));
+            EXPECT_EQ(overlay(other, one_contour(ring), operation),
+                      by_pipeline(other, one_contour(triangle), operation));
+          }
+      }
 }
 
 TEST(WindowClip, RandomCasesLikeThePipeline) {

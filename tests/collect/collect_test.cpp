@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "noding/simple_ring.h"
@@ -165,6 +166,20 @@ TEST(RingShape, isJudgedExactly) {
   EXPECT_EQ(shape_of("0 0, 4 0, 2 2, 4 4, 0 4, 2 2"), RingShape::tangled);  // a vertex twice
   EXPECT_EQ(shape_of("0 0, 1 0, 2 0"), RingShape::tangled);                 // flat
   EXPECT_EQ(shape_of("4 0, 2 3, 3 -1, 3 3, 1 -1"), RingShape::tangled);     // turns left only, twice around
+}
+
+TEST(RingShape, noContourWithRepeatedNeighboursIsConvex) {
+  const std::vector<Point> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  EXPECT_EQ(convex_turn(square), 1);
+  for (std::size_t twice = 0; twice < 4; ++twice)
+    for (std::size_t begin = 0; begin < 5; ++begin) {
+      std::vector<Point> ring = square;
+      ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(twice), square[twice]);
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(begin), ring.end());
+      EXPECT_EQ(convex_turn(ring), 0);
+      std::reverse(ring.begin(), ring.end());
+      EXPECT_EQ(convex_turn(ring), 0);
+    }
 }
 
 TEST(RingShape, ofLargeRingsIsThatOfSmallOnes) {
