@@ -195,7 +195,24 @@ bool leave_together(const Point& p, const InputEdge& e, const InputEdge& f) {
 
 }  // namespace
 
+bool Sources::may_be_flat_tip(const Point& p) const {
+  return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& f) {
+    if (!near(p, f) || side_of_line(f.from, f.to, p) == 0) return false;
+    const RationalPoint from(f.from), to(f.to), at(p);
+    bool left = true, right = true;
+    for (const InputEdge& e : edges_) {
+      if (e.from != p && e.to != p) continue;
+      const RationalPoint other(e.from == p ? e.to : e.from);
+      const Rational turn = (to.x - from.x) * (other.y - at.y) - (to.y - from.y) * (other.x - at.x);
+      left &= turn > 0;
+      right &= turn < 0;
+    }
+    return left || right;
+  });
+}
+
 bool Sources::may_have_cancelled(const Point& p) const {
+  if (may_be_flat_tip(p)) return true;
   const RationalPoint at(p);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const InputEdge& e = edges_[i];

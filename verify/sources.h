@@ -51,10 +51,10 @@ class Sources {
   /// thousandth of a unit; 0 without edges.
   double displacement_ulps(const Point& p) const;
 
-  /// True if every edge at vertex p may have cancelled. There are three cases. A stretch of the edge from p on, three
+  /// True if every edge at vertex p may have cancelled. There are four cases. A stretch of the edge from p on, three
   /// times as long as the bound (or the whole edge), ends within the bound of another input edge: rounding may have put
   /// both onto one line. Or the edge meets another edge within the bound of p: the tip beyond that edge may have become
-  /// flat. Or another edge leaves p in the same direction: the shorter of the two cancels.
+  /// flat. Or another edge leaves p in the same direction: the shorter of the two cancels. Or p is a flat tip.
   bool may_have_cancelled(const Point& p) const;
 
   /// True if vertex p may be on an edge only because traces were removed from the edge, which moved it: p is not
@@ -67,6 +67,9 @@ class Sources {
   Answer estimate_near(const EstimatedPoint& p, const InputEdge& edge) const;
   bool exactly_near(const RationalPoint& p, const InputEdge& edge) const;
   bool meets_own_polygon(std::size_t edge) const;
+  /// True if an edge passes p within the bound, and all edges at p leave to the same side of it. Rounding may have
+  /// moved that edge to the other side of p, and the tip beyond it may have become flat.
+  bool may_be_flat_tip(const Point& p) const;
   void collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon);
 
   std::vector<InputEdge> edges_;

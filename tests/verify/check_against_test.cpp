@@ -1,6 +1,9 @@
 // check_against finds each kind of wrong answer, and lets right ones pass; areas and slabs by hand.
 #include <gtest/gtest.h>
+#include <oblast/overlay.h>
+#include <oblast/wkt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "verify/against.h"
@@ -60,6 +63,24 @@ TEST(CheckAgainst, findsAnInputVertexThatIsMissing) {
   minimal.options.collinear = CollinearVertices::drop;
   EXPECT_EQ(fault_of(minimal, square), "");
   expect_fault(minimal, with_vertex, "exactly between");
+}
+
+// The tip of B's first polygon is 2^-105 below an edge of the second one. A crossing of that edge is rounded, and the
+// tip is above it: a flat tip, whose edges cancel. So the left side of A, on which it lies exactly, does not keep it.
+TEST(CheckAgainst, letsATipCancelWhereRoundingPutsItBeyondAnEdge) {
+  const RegionSet a =
+      read_wkt("POLYGON ((0 -1.0000000000000004, 3 0.9999999999999999, 0 1.0000000000000004, 0 -1.0000000000000004))");
+  const RegionSet tip = read_wkt(
+      "POLYGON ((-1.0000000000000004 0, 0.9999999999999999 -1.0000000000000004, 0 0.9999999999999999, "
+      "-1.0000000000000004 0))");
+  const RegionSet b = read_wkt(
+      "MULTIPOLYGON (((-1.0000000000000004 0, 0.9999999999999999 -1.0000000000000004, 0 0.9999999999999999, "
+      "-1.0000000000000004 0)), ((-0.9999999999999998 1, 1.0000000000000002 0.9999999999999998, "
+      "0 1.0000000000000002, -0.9999999999999999 0, -0.9999999999999998 1)))");
+  EXPECT_EQ(check_against(a, b, Operation::intersection, {}, overlay(a, b, Operation::intersection)), std::nullopt);
+  // Without the second polygon the tip is a vertex of the result, and must be.
+  const RegionSet kept = overlay(a, tip, Operation::intersection);
+  EXPECT_EQ(std::count(kept.points.begin(), kept.points.end(), Point{0, 0.9999999999999999}), 1);
 }
 
 TEST(CheckAgainst, findsTraces) {
