@@ -195,6 +195,13 @@ bool leave_together(const Point& p, const InputEdge& e, const InputEdge& f) {
 
 }  // namespace
 
+RationalPoint Sources::end_of_stretch(const Point& p, const InputEdge& e) const {
+  const RationalPoint at(p), other(e.from == p ? e.to : e.from);
+  const double length = std::max(std::abs(e.to.x - e.from.x), std::abs(e.to.y - e.from.y));
+  const Rational part = length > 3 * bound_ ? Rational(3 * bound_ / length) : Rational(1);
+  return {at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
+}
+
 bool Sources::may_be_flat_tip(const Point& p) const {
   return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& f) {
     if (!near(p, f) || side_of_line(f.from, f.to, p) == 0) return false;
@@ -202,6 +209,7 @@ bool Sources::may_be_flat_tip(const Point& p) const {
     bool left = true, right = true;
     for (const InputEdge& e : edges_) {
       if (e.from != p && e.to != p) continue;
+      if (near(end_of_stretch(p, e), f)) continue;  // rounding may have put it onto f
       const RationalPoint other(e.from == p ? e.to : e.from);
       const Rational turn = (to.x - from.x) * (other.y - at.y) - (to.y - from.y) * (other.x - at.x);
       left &= turn > 0;
@@ -213,16 +221,10 @@ bool Sources::may_be_flat_tip(const Point& p) const {
 
 bool Sources::may_have_cancelled(const Point& p) const {
   if (may_be_flat_tip(p)) return true;
-  const RationalPoint at(p);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const InputEdge& e = edges_[i];
     if (e.from != p && e.to != p) continue;
-    // The end of the stretch of e that is to run along another edge. An edge no longer than it has rounding errors for
-    // its length: all of it may have come to lie on its neighbours.
-    const RationalPoint other(e.from == p ? e.to : e.from);
-    const double length = std::max(std::abs(e.to.x - e.from.x), std::abs(e.to.y - e.from.y));
-    const Rational part = length > 3 * bound_ ? Rational(3 * bound_ / length) : Rational(1);
-    const RationalPoint end{at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
+    const RationalPoint end = end_of_stretch(p, e);
     bool covered = false;
     for (std::size_t j = 0; j < edges_.size() && !covered; ++j)
       covered = j != i && (near(end, edges_[j]) || (near(p, edges_[j]) && meet_beside(p, e, edges_[j])) ||

@@ -67,8 +67,11 @@ class Sources {
   Answer estimate_near(const EstimatedPoint& p, const InputEdge& edge) const;
   bool exactly_near(const RationalPoint& p, const InputEdge& edge) const;
   bool meets_own_polygon(std::size_t edge) const;
-  /// True if an edge passes p within the bound, and all edges at p leave to the same side of it. Rounding may have
-  /// moved that edge to the other side of p, and the tip beyond it may have become flat.
+  /// The end of the stretch of edge e from its end p on that is to run along another edge. An edge no longer than it
+  /// has rounding errors for its length: all of it may have come to lie on its neighbours.
+  RationalPoint end_of_stretch(const Point& p, const InputEdge& e) const;
+  /// True if an edge passes p within the bound, and all edges at p leave to the same side of it, or along it. Rounding
+  /// may have moved that edge to the other side of p, and the tip beyond it may have become flat.
   bool may_be_flat_tip(const Point& p) const;
   void collect(const RegionView& regions, bool by_polygon, std::size_t first_polygon);
 

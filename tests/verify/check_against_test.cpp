@@ -65,6 +65,12 @@ TEST(CheckAgainst, findsAnInputVertexThatIsMissing) {
   expect_fault(minimal, with_vertex, "exactly between");
 }
 
+TEST(CheckAgainst, findsATipThatIsMissing) {
+  const Question touched{square, "2 0, 1 -2, 3 -2", Operation::difference};
+  EXPECT_EQ(fault_of(touched, "0 0, 2 0, 4 0, 4 4, 0 4"), "");
+  expect_fault(touched, square, "was left out");
+}
+
 // The tip of B's first polygon is 2^-105 below an edge of the second one. A crossing of that edge is rounded, and the
 // tip is above it: a flat tip, whose edges cancel. So the left side of A, on which it lies exactly, does not keep it.
 TEST(CheckAgainst, letsATipCancelWhereRoundingPutsItBeyondAnEdge) {
