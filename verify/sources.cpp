@@ -186,17 +186,20 @@ bool meet_beside(const Point& p, const InputEdge& e, const InputEdge& f) {
   return squared_distance(RationalPoint(p), f.from, f.to) != 0;
 }
 
+/// The end of e that is not p.
+const Point& other_end(const Point& p, const InputEdge& e) { return e.from == p ? e.to : e.from; }
+
 /// True if both edges leave p in exactly the same direction: a fold, of which the shorter edge cancels.
 bool leave_together(const Point& p, const InputEdge& e, const InputEdge& f) {
   if ((e.from != p && e.to != p) || (f.from != p && f.to != p)) return false;
-  const Point &u = e.from == p ? e.to : e.from, &v = f.from == p ? f.to : f.from;
+  const Point &u = other_end(p, e), &v = other_end(p, f);
   return side_of_line(p, u, v) == 0 && lexicographically_less(p, u) == lexicographically_less(p, v);
 }
 
 }  // namespace
 
 RationalPoint Sources::end_of_stretch(const Point& p, const InputEdge& e) const {
-  const RationalPoint at(p), other(e.from == p ? e.to : e.from);
+  const RationalPoint at(p), other(other_end(p, e));
   const double length = std::max(std::abs(e.to.x - e.from.x), std::abs(e.to.y - e.from.y));
   const Rational part = length > 3 * bound_ ? Rational(3 * bound_ / length) : Rational(1);
   return {at.x + (other.x - at.x) * part, at.y + (other.y - at.y) * part};
@@ -210,7 +213,7 @@ bool Sources::may_be_flat_tip(const Point& p) const {
     for (const InputEdge& e : edges_) {
       if (e.from != p && e.to != p) continue;
       if (near(end_of_stretch(p, e), f)) continue;  // rounding may have put it onto f
-      const RationalPoint other(e.from == p ? e.to : e.from);
+      const RationalPoint other(other_end(p, e));
       const Rational turn = (to.x - from.x) * (other.y - at.y) - (to.y - from.y) * (other.x - at.x);
       left &= turn > 0;
       right &= turn < 0;
