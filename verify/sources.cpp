@@ -207,7 +207,9 @@ RationalPoint Sources::end_of_stretch(const Point& p, const InputEdge& e) const 
 
 bool Sources::may_be_flat_tip(const Point& p) const {
   return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& f) {
-    if (!near(p, f) || side_of_line(f.from, f.to, p) == 0) return false;
+    if (!near(p, f)) return false;
+    // Only an edge that is resolved first can leave a point that it passes exactly.
+    if (side_of_line(f.from, f.to, p) == 0 && !meets_own_polygon(f)) return false;
     const RationalPoint from(f.from), to(f.to), at(p);
     bool left = true, right = true;
     for (const InputEdge& e : edges_) {
@@ -237,8 +239,7 @@ bool Sources::may_have_cancelled(const Point& p) const {
   return true;
 }
 
-bool Sources::meets_own_polygon(std::size_t edge) const {
-  const InputEdge& e = edges_[edge];
+bool Sources::meets_own_polygon(const InputEdge& e) const {
   if (e.polygon == InputEdge::npos) return false;
   return std::any_of(edges_.begin(), edges_.end(), [&](const InputEdge& f) {
     return &f != &e && f.polygon == e.polygon && meet_badly(e.from, e.to, f.from, f.to);
@@ -249,7 +250,7 @@ bool Sources::may_have_moved_onto(const Point& p, const Point& from, const Point
   const std::vector<std::size_t> along = near_both(from, to);
   const RationalPoint at(p);
   for (const std::size_t e : along) {
-    if (squared_distance(at, edges_[e].from, edges_[e].to) == 0 && !meets_own_polygon(e)) return false;
+    if (squared_distance(at, edges_[e].from, edges_[e].to) == 0 && !meets_own_polygon(edges_[e])) return false;
   }
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const InputEdge& other = edges_[e];

@@ -66,7 +66,9 @@ class Sources {
   enum class Answer { no, yes, unknown };
   Answer estimate_near(const EstimatedPoint& p, const InputEdge& edge) const;
   bool exactly_near(const RationalPoint& p, const InputEdge& edge) const;
-  bool meets_own_polygon(std::size_t edge) const;
+  /// True if another edge of its polygon meets the edge, which must be one of edges(). Then that polygon is resolved
+  /// first, and the edge may move.
+  bool meets_own_polygon(const InputEdge& edge) const;
   /// The end of the stretch of edge e from its end p on that is to run along another edge. An edge no longer than it
   /// has rounding errors for its length: all of it may have come to lie on its neighbours.
   RationalPoint end_of_stretch(const Point& p, const InputEdge& e) const;

@@ -29,9 +29,16 @@ struct Winding {
 
   bool is_zero() const { return a == 0 && b == 0; }
   friend bool operator==(const Winding&, const Winding&) = default;
-  friend Winding operator+(Winding p, Winding q) { return {p.a + q.a, p.b + q.b}; }
-  friend Winding operator-(Winding p, Winding q) { return {p.a - q.a, p.b - q.b}; }
-  friend Winding operator-(Winding p) { return {-p.a, -p.b}; }
+  friend Winding operator+(Winding p, Winding q) { return {sum(p.a, q.a), sum(p.b, q.b)}; }
+  friend Winding operator-(Winding p, Winding q) { return p + -q; }
+  friend Winding operator-(Winding p) { return {opposite(p.a), opposite(p.b)}; }
+
+ private:
+  // Sums wrap around. Winding numbers do not come so far, but sums of polygons' numbers may (window/contours.cpp).
+  static std::int32_t sum(std::int32_t p, std::int32_t q) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(p) + static_cast<std::uint32_t>(q));
+  }
+  static std::int32_t opposite(std::int32_t p) { return static_cast<std::int32_t>(-static_cast<std::uint32_t>(p)); }
 };
 
 /// How the changes of identical edges are added.

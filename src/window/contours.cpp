@@ -48,12 +48,14 @@ RegionSet assembled(const ChainGraph& graph) {
 
 }  // namespace
 
-void Contours::close() {
+void Contours::close(std::uint32_t polygon) {
   const std::size_t begin = ends_.empty() ? 0 : ends_.back();
-  if (points_.size() - begin < 3)
+  if (points_.size() - begin < 3) {
     points_.resize(begin);
-  else
-    ends_.push_back(checked_index(points_.size(), "vertices of the result", most_vertices));
+    return;
+  }
+  ends_.push_back(checked_index(points_.size(), "vertices of the result", most_vertices));
+  polygons_.push_back(polygon);
 }
 
 RegionSet Contours::single() const {
@@ -68,11 +70,12 @@ RegionSet Contours::single() const {
   return result;
 }
 
-/// The contours as they are, without anything labelled.
+/// The contours as they are, without anything labelled. The changes: one in a, and the number of its polygon in b.
 ChainGraph Contours::graph(Array<std::uint8_t> flags) const {
   noding::Strands strands;
   std::uint32_t begin = 0;
-  for (const std::uint32_t end : ends_) {
+  for (std::size_t k = 0; k < ends_.size(); ++k) {
+    const std::uint32_t end = ends_[k];
     // A closed strand with nodes begins at one.
     std::uint32_t first = begin;
     while (first < end && flags[first] == 0) ++first;
@@ -83,7 +86,7 @@ ChainGraph Contours::graph(Array<std::uint8_t> flags) const {
     };
     for (std::uint32_t v = first; v < end; ++v) add(v);
     for (std::uint32_t v = begin; v <= first; ++v) add(v);
-    strands.close_strand({1, 0}, noding::any_group);
+    strands.close_strand({1, static_cast<std::int32_t>(polygons_[k] + 1)}, noding::any_group);
     begin = end;
   }
   return build_chain_graph(std::move(strands));
@@ -98,6 +101,11 @@ RegionSet Contours::to_region_set() const {
   return assembled(graph(std::move(flags)));
 }
 
+// With the rule `polygons` every polygon counts by itself, and a sum of winding numbers may hide two wrong ones: -1 in
+// a polygon whose hole was taken for its outer contour, and 1 in another polygon around it. So b sums up the numbers of
+// the polygons. From the outside, where nothing is covered, go across one contour after another: while all is regular,
+// a is the count of polygons that cover a place, 0 or 1, and b is the number of that one, or 0. A contour is left to
+// its right where a is 0 there, and b is 0 there only if it is a contour of that polygon.
 std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   if (ends_.empty()) return RegionSet{};
   Array<std::uint8_t> flags(points_.size(), 0);
@@ -105,7 +113,7 @@ std::optional<RegionSet> Contours::to_region_set_if_regular() const {
   const ChainGraph contours = graph(std::move(flags));
   const LargeArray<Winding> right = leonov_nikitin::label(contours);
   for (std::uint32_t c = 0; c < contours.chains.size(); ++c)
-    if (!contours.is_live(c) || right[c].a != 0 || contours.chains[c].change.a != 1) return {};
+    if (!contours.is_live(c) || !right[c].is_zero() || contours.chains[c].change.a != 1) return {};
   return assembled(contours);
 }
 

@@ -106,10 +106,11 @@ class WindowClip {
   void join(Operation operation, RegionSet& result);
   void add_path(const Crossing& from, bool forward, const Crossing& to, RegionSet& result) const;
   void add_perimeter(const Crossing& from, const Crossing& to, bool forward, RegionSet& result) const;
-  void add_uncrossed(RegionSet& result) const;
-  void add_uncrossed_pair(Operation operation, RegionSet& result) const;
-  void add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result) const;
-  void add_window(bool counter_clockwise, RegionSet& result) const;
+  void add_uncrossed(RegionSet& result);
+  void add_uncrossed_pair(Operation operation, RegionSet& result);
+  void add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result);
+  void add_window(bool counter_clockwise, Index polygon, RegionSet& result);
+  void end_contour(Index polygon, RegionSet& result);
   std::optional<RegionSet> finish(Operation operation, RegionSet result) const;
 
   static constexpr Index block_size = tuning::window_edges_a_block;
@@ -125,6 +126,7 @@ class WindowClip {
   std::pmr::vector<Stretch> stretches_;
   std::pmr::vector<Crossing> crossings_;  ///< ring by ring, in the order of the ring
   std::pmr::vector<Index> perimeter_;     ///< crossings in their order along the perimeter
+  std::pmr::vector<Index> polygons_;      ///< by contour of the result: the polygon that it bounds
 };
 
 }  // namespace oblast::internal::window

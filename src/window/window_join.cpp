@@ -86,7 +86,8 @@ void WindowClip::join(Operation operation, RegionSet& result) {
       k = perimeter_[next];
       add_perimeter(to, crossings_[k], along, result);
     }
-    result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
+    // No two polygons cover a place of the perimeter, so all of its paths are of one polygon.
+    end_contour(rings_[crossings_[start].ring].polygon, result);
   }
 }
 
@@ -130,22 +131,24 @@ void WindowClip::add_perimeter(const Crossing& from, const Crossing& to, bool fo
 }
 
 /// Of an intersection: the window where no boundary meets it, and rings inside it.
-void WindowClip::add_uncrossed(RegionSet& result) const {
-  if (crossings_.empty() && std::find(covers_.begin(), covers_.end(), 1) != covers_.end()) add_window(true, result);
+void WindowClip::add_uncrossed(RegionSet& result) {
+  const auto cover = std::find(covers_.begin(), covers_.end(), 1);
+  if (crossings_.empty() && cover != covers_.end())
+    add_window(true, static_cast<Index>(cover - covers_.begin()), result);
   const bool alone = result.contour_ends.empty() && std::count_if(rings_.begin(), rings_.end(), is_inside) == 1;
   for (const Ring& ring : rings_) {
-    // The first ring of a polygon is its outer one; where not, finish() will see.
+    // The first ring of a polygon is its outer one, the others are holes in it; where not, finish() will see.
     const bool first = ring.offset == subject_.contour_begin(subject_.polygon_begin(ring.polygon));
     if (ring.inside) add_ring(ring, first || alone, result);
   }
 }
 
 /// Of the other operations on two convex contours.
-void WindowClip::add_uncrossed_pair(Operation operation, RegionSet& result) const {
+void WindowClip::add_uncrossed_pair(Operation operation, RegionSet& result) {
   const Ring& ring = rings_[0];
   const bool a_in_window = ring.inside, window_in_a = covers_[0] != 0, unite = operation == Operation::unite;
   if (!a_in_window) add_ring(ring, true, result);
-  if (unite ? !window_in_a : window_in_a) add_window(unite, result);
+  if (unite ? !window_in_a : window_in_a) add_window(unite, ring.polygon, result);
 }
 
 /// Canonical order. Nothing when polygons overlap after all.
@@ -162,9 +165,9 @@ std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet resul
   const bool outer = ends.size() == 1 || (rings_.size() == 1 && (!crossings_.empty() || operation == Operation::unite));
   if (!outer) {
     Contours loose;
-    for (const auto& contour : contours) {
-      for (const Point& p : contour) loose.add(p);
-      loose.close();
+    for (std::size_t k = 0; k < contours.size(); ++k) {
+      for (const Point& p : contours[k]) loose.add(p);
+      loose.close(polygons_[k]);
     }
     return loose.to_region_set_if_regular();
   }
@@ -188,20 +191,25 @@ std::optional<RegionSet> WindowClip::finish(Operation operation, RegionSet resul
   return sorted;
 }
 
-void WindowClip::add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result) const {
+void WindowClip::add_ring(const Ring& ring, bool counter_clockwise, RegionSet& result) {
   const bool reversed = (turn_at_smallest(ring.points) > 0) != counter_clockwise;
   const Index n = ring.size();
   for (Index i = 0; i < n; ++i) {
     const Point& p = ring.points[reversed ? n - 1 - i : i];
     result.points.push_back({p.x + 0.0, p.y + 0.0});
   }
-  result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
+  end_contour(ring.polygon, result);
 }
 
-void WindowClip::add_window(bool counter_clockwise, RegionSet& result) const {
+void WindowClip::add_window(bool counter_clockwise, Index polygon, RegionSet& result) {
   for (Index i = 0; i < window_.size(); ++i)
     result.points.push_back(window_.corner(counter_clockwise ? i : window_.size() - 1 - i));
+  end_contour(polygon, result);
+}
+
+void WindowClip::end_contour(Index polygon, RegionSet& result) {
   result.contour_ends.push_back(checked_index(result.points.size(), "vertices of the result", most_vertices));
+  polygons_.push_back(polygon);
 }
 
 }  // namespace oblast::internal::window

@@ -28,7 +28,8 @@ WindowClip::WindowClip(const RegionView& subject, SubjectKind kind, const Window
       covers_(memory),
       stretches_(memory),
       crossings_(memory),
-      perimeter_(memory) {}
+      perimeter_(memory),
+      polygons_(memory) {}
 
 /// Rings, their blocks, and the gap.
 void WindowClip::measure() {

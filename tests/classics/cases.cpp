@@ -206,7 +206,7 @@ ClassicCase window_case_of_distinct_neighbours(Random& random) {
   const Spread spread = draw_spread(random);
   Plane plane(random, spread, random.between(3, random.one_in(2) ? 60 : 9));
   ClassicCase c{{}, one_contour(convex(plane)), Operation::intersection, spread};
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0:
       c.a = any_polygons(plane);
       break;
@@ -214,6 +214,10 @@ ClassicCase window_case_of_distinct_neighbours(Random& random) {
       c.a = regular(plane);
       break;
     case 2:
+      c.a = nested(plane);
+      if (random.one_in(2)) c.b = one_contour(rectangle(plane, -1, -1, plane.size() + 1, plane.size() + 1));
+      break;
+    case 3:
       c.a = one_contour(simple(plane, random.between(10, 200)));
       break;
     default:

@@ -47,6 +47,48 @@ void append(RegionSet& regions, const std::vector<Point>& contour) {
   regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
 }
 
+std::vector<Point> rectangle(Plane& plane, int x0, int y0, int x1, int y1) {
+  return {plane.at(x0, y0), plane.at(x1, y0), plane.at(x1, y1), plane.at(x0, y1)};
+}
+
+namespace {
+
+/// A rectangle, and most often one or two in it.
+void nest(Plane& plane, int x0, int y0, int x1, int y1, std::vector<std::vector<Point>>& contours) {
+  if (x1 - x0 < 1 || y1 - y0 < 1) return;
+  Random& random = plane.random();
+  contours.push_back(rectangle(plane, x0, y0, x1, y1));
+  if (x1 - x0 < 3 || random.one_in(4)) return;
+  const int middle = random.one_in(2) ? x1 - 1 : random.between(x0 + 1, x1 - 1);
+  nest(plane, x0 + 1, y0 + 1, middle, y1 - 1, contours);
+  nest(plane, middle + 1, y0 + 1, x1 - 1, y1 - 1, contours);
+}
+
+}  // namespace
+
+RegionSet nested(Plane& plane) {
+  Random& random = plane.random();
+  std::vector<std::vector<Point>> contours;
+  nest(plane, 0, 0, plane.size(), plane.size(), contours);
+  std::vector<std::vector<Point>> polygons[3];
+  const int count = random.between(1, 3);
+  for (std::vector<Point>& contour : contours) {
+    if (random.one_in(2)) std::reverse(contour.begin(), contour.end());
+    auto& polygon = polygons[random.below(count)];
+    polygon.insert(polygon.begin() + random.between(0, static_cast<int>(polygon.size())), std::move(contour));
+  }
+  RegionSet regions;
+  for (const auto& polygon : polygons) {
+    if (polygon.empty()) continue;
+    for (const std::vector<Point>& contour : polygon) {
+      append(regions, contour);
+      regions.polygon_ends.pop_back();
+    }
+    regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
+  }
+  return regions;
+}
+
 std::vector<Point> convex(Plane& plane) {
   Random& random = plane.random();
   for (;;) {

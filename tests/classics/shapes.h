@@ -23,6 +23,12 @@ std::vector<Point> vertex_complete(Plane& plane);
 /// A ring with one to three holes, drawn as one contour with a bridge to each hole, walked there and back.
 std::vector<Point> keyhole(Plane& plane);
 
+/// The corners of a rectangle, counter-clockwise.
+std::vector<Point> rectangle(Plane& plane, int x0, int y0, int x1, int y1);
+/// Rectangles in and beside each other that do not meet, dealt out to one to three polygons, in any order and
+/// direction.
+RegionSet nested(Plane& plane);
+
 // Outside some domain:
 std::vector<Point> notched(Plane& plane);            ///< simple, one vertex turns the other way
 std::vector<Point> wound_twice(Plane& plane);        ///< turns one way only, twice round

@@ -77,6 +77,30 @@ TEST(WindowClip, HolesAndSeveralPolygons) {
   expect_taken(ring, rectangle(0.5, 0.5, 1.5, 1.5), Operation::intersection);
 }
 
+// A polygon with a hole, in another polygon: in whatever order and direction its contours come, all of the square is
+// covered (hostile case fed_back 95147).
+TEST(WindowClip, AHoleMayComeBeforeItsOuterContour) {
+  const std::vector<Point> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  const RegionSet windows[] = {rectangle(-1, -1, 11, 11), rectangle(1, 1, 9, 9), rectangle(1, -1, 9, 11)};
+  for (const bool square_first : {false, true})
+    for (const bool hole_first : {false, true})
+      for (const bool outer_runs_back : {false, true})
+        for (const bool hole_runs_back : {false, true}) {
+          std::vector<Point> outer{{3, 3}, {7, 3}, {7, 7}, {3, 7}}, hole{{4, 4}, {6, 4}, {6, 6}, {4, 6}};
+          if (outer_runs_back) std::reverse(outer.begin(), outer.end());
+          if (hole_runs_back) std::reverse(hole.begin(), hole.end());
+          RegionSet regions;
+          if (square_first) append(regions, square);
+          append(regions, hole_first ? hole : outer);
+          append(regions, hole_first ? outer : hole);
+          regions.polygon_ends.erase(regions.polygon_ends.end() - 2);
+          if (!square_first) append(regions, square);
+          for (const RegionSet& window : windows)
+            EXPECT_EQ(overlay(regions, window, Operation::intersection),
+                      overlay(one_contour(square), window, Operation::intersection));
+        }
+}
+
 TEST(WindowClip, FarFromTheWindowAnythingMayHappen) {
   // A bow-tie's crossing, an overlap of polygons: the parity at the window is what counts.
   RegionSet a = one_contour({{0, 0}, {20, 0}, {20, 20}, {30, 20}, {0, 1}});
