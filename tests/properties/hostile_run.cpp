@@ -17,12 +17,16 @@ namespace {
 // Cases of a crowd: with some thirty edges each they pass every threshold of the library.
 constexpr std::uint64_t crowd_size = 950;
 
+int largest_small_case(const HostileSettings& settings, const HostileGenerator& generator) {
+  return settings.largest > 0 ? settings.largest : generator.usual;
+}
+
 // Small cases more often than large ones, by the square of a number drawn evenly; a few very large, but not so large
 // that a test build with low limits of indices refuses them.
 int size_of_case(const HostileSettings& settings, const HostileGenerator& generator, std::uint64_t seed) {
   Random random(seed ^ 0x517eu);
   const double drawn = random.unit();
-  const int largest = settings.largest > 0 ? settings.largest : generator.usual;
+  const int largest = largest_small_case(settings, generator);
   const int very_large = internal::low_index_limits ? generator.larger : generator.largest;
   if (settings.large > 0 && random.one_in(settings.large))
     return random.between(largest, std::max(largest, very_large));
@@ -93,16 +97,19 @@ class Run {
     request.other_engines |= settings_.engines;
     request.recompute |= settings_.recompute;
     request.patience = settings_.patience;
+    const int size = size_of_case(settings_, *row.generator, seed);
     Operands operands;
     try {
-      operands = row.generator->make(seed, size_of_case(settings_, *row.generator, seed));
+      operands = row.generator->make(seed, size);
     } catch (const std::exception& e) {
       const std::string what = std::string("the generator: ") + e.what();
       return fail(row, {row.generator, seed, {}, request, {Broken::threw, Operation::unite, what}});
     }
     if (auto failure = run_trial(operands, request, row.figures))
       fail(row, {row.generator, seed, operands, request, std::move(*failure)});
-    crowd.push_back({row.generator, seed, std::move(operands)});
+    // Very large cases together may have more cuts than low limits of indices allow.
+    if (!internal::low_index_limits || size <= largest_small_case(settings_, *row.generator))
+      crowd.push_back({row.generator, seed, std::move(operands)});
   }
 
   void fail(HostileRow& row, const FailedCase& failed) {
