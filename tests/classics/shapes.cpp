@@ -4,6 +4,7 @@
 #include <set>
 
 #include "exact/orientation.h"
+#include "generators/soup.h"
 
 namespace oblast::tests {
 using namespace internal;
@@ -78,14 +79,9 @@ RegionSet nested(Plane& plane) {
     polygon.insert(polygon.begin() + random.between(0, static_cast<int>(polygon.size())), std::move(contour));
   }
   RegionSet regions;
-  for (const auto& polygon : polygons) {
-    if (polygon.empty()) continue;
-    for (const std::vector<Point>& contour : polygon) {
-      append(regions, contour);
-      regions.polygon_ends.pop_back();
-    }
-    regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
-  }
+  for (const auto& polygon : polygons)
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      k == 0 ? generators::add_polygon(regions, polygon[k]) : generators::add_hole(regions, polygon[k]);
   return regions;
 }
 

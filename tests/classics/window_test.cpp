@@ -11,6 +11,7 @@
 #include "classics/shapes.h"
 #include "classics/trial.h"
 #include "classics/wkt.h"
+#include "generators/soup.h"
 #include "support/usual_tuning.h"
 #include "window/fast_path.h"
 
@@ -91,9 +92,8 @@ TEST(WindowClip, AHoleMayComeBeforeItsOuterContour) {
           if (hole_runs_back) std::reverse(hole.begin(), hole.end());
           RegionSet regions;
           if (square_first) append(regions, square);
-          append(regions, hole_first ? hole : outer);
-          append(regions, hole_first ? outer : hole);
-          regions.polygon_ends.erase(regions.polygon_ends.end() - 2);
+          generators::add_polygon(regions, hole_first ? hole : outer);
+          generators::add_hole(regions, hole_first ? outer : hole);
           if (!square_first) append(regions, square);
           for (const RegionSet& window : windows)
             EXPECT_EQ(overlay(regions, window, Operation::intersection),
