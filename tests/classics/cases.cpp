@@ -7,6 +7,7 @@
 
 #include "classics/shapes.h"
 #include "exact/orientation.h"
+#include "generators/soup.h"
 #include "verify/slabs.h"
 
 namespace oblast::tests {
@@ -35,7 +36,8 @@ RegionSet regular(Plane& plane) {
   // vertices.
   const bool complete = random.one_in(2);
   const int rings = complete ? 1 : random.between(1, 3);
-  for (int i = 0; i < rings; ++i) append(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));
+  for (int i = 0; i < rings; ++i)
+    generators::add_polygon(soup, complete ? vertex_complete(plane) : tangle(plane, random.between(3, 8)));
   if (random.one_in(3)) soup = one_contour(keyhole(plane));  // becomes a ring with holes
   Options options;
   options.fill_a = FillRule::even_odd();
@@ -109,7 +111,8 @@ ClassicCase draw(ClassicMethod method, Plane& plane) {
           c.a = regular(plane);
           break;
         default: {
-          for (int i = random.between(1, 3); i > 0; --i) append(c.a, tangle(plane, random.between(3, 9)));
+          for (int i = random.between(1, 3); i > 0; --i)
+            generators::add_polygon(c.a, tangle(plane, random.between(3, 9)));
           c.a.polygon_ends = {static_cast<std::uint32_t>(c.a.contour_ends.size())};
         }
       }
@@ -184,7 +187,8 @@ RegionSet any_polygons(Plane& plane) {
   Random& random = plane.random();
   RegionSet r;
   for (int i = random.between(1, 4); i > 0; --i)
-    append(r, random.one_in(2) ? simple(plane, random.between(3, 80)) : tangle(plane, random.between(3, 6)));
+    generators::add_polygon(
+        r, random.one_in(2) ? simple(plane, random.between(3, 80)) : tangle(plane, random.between(3, 6)));
   if (random.one_in(2)) r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
   return r;
 }
@@ -222,7 +226,7 @@ ClassicCase window_case_of_distinct_neighbours(Random& random) {
       break;
     default:
       c.a = one_contour(simple(plane, random.between(10, 200)));
-      if (random.one_in(2)) append(c.a, tangle(plane, 5));
+      if (random.one_in(2)) generators::add_polygon(c.a, tangle(plane, 5));
       c.b = one_contour(small_window(plane));
   }
   if (random.one_in(2)) c.b = reversed(c.b);
@@ -251,7 +255,7 @@ OutsideCase outside(ClassicMethod method, Random& random) {
     o.why = why;
   };
   RegionSet two = one_contour(convex(plane));
-  append(two, convex(plane));
+  generators::add_polygon(two, convex(plane));
   const auto one_polygon = [](RegionSet r) {
     r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
     return r;

@@ -8,15 +8,12 @@
 #include "classics/shapes.h"
 #include "classics/trial.h"
 #include "classics/wkt.h"
+#include "generators/soup.h"
 
 namespace {
 
 using namespace oblast;
 using namespace oblast::tests;
-
-RegionSet rectangle(double x0, double y0, double x1, double y1) {
-  return one_contour({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
-}
 
 constexpr Operation operations[] = {Operation::intersection, Operation::unite, Operation::difference};
 
@@ -68,9 +65,7 @@ TEST(Classics, BridgesOfTheHalfPlaneClip) {
 TEST(Classics, VerticesOfBothStayOnTheBoundary) {
   // Straight vertices of the window, vertices of a hole that touches it from outside, a side shared in part.
   RegionSet a = rectangle(0, 0, 10, 10);
-  a.points.insert(a.points.end(), {{4, 5}, {6, 5}, {5, 8}});
-  a.contour_ends.push_back(7);
-  a.polygon_ends = {2};
+  generators::add_hole(a, {{4, 5}, {6, 5}, {5, 8}});
   const RegionSet b = one_contour({{2, 0}, {3, 0}, {8, 0}, {8, 5}, {7, 5}, {2, 5}});
   expect_like_overlay(a, b, {ClassicMethod::sutherland_hodgman});
   RegionSet directed = overlay(a, RegionSet{}, Operation::unite);

@@ -42,10 +42,8 @@ bool has_area(const std::vector<Point>& ring) {
 
 }  // namespace
 
-void append(RegionSet& regions, const std::vector<Point>& contour) {
-  regions.points.insert(regions.points.end(), contour.begin(), contour.end());
-  regions.contour_ends.push_back(static_cast<std::uint32_t>(regions.points.size()));
-  regions.polygon_ends.push_back(static_cast<std::uint32_t>(regions.contour_ends.size()));
+RegionSet rectangle(double x0, double y0, double x1, double y1) {
+  return one_contour(generators::rectangle(x0, y0, x1, y1));
 }
 
 std::vector<Point> rectangle(Plane& plane, int x0, int y0, int x1, int y1) {
@@ -218,22 +216,23 @@ std::vector<Point> overlapping_edges(Plane& plane) {
 RegionSet two_that_overlap(Plane& plane) {
   const std::vector<Point> ring = crossed(plane);
   RegionSet r = one_contour({ring[0], ring[2], ring[1]});
-  append(r, {ring[2], ring[3], {ring[3].x + (ring[1].x - ring[0].x), ring[3].y + (ring[1].y - ring[0].y)}});
+  generators::add_polygon(
+      r, {ring[2], ring[3], {ring[3].x + (ring[1].x - ring[0].x), ring[3].y + (ring[1].y - ring[0].y)}});
   return r;
 }
 
 RegionSet hole_directed_wrongly(Plane& plane) {
   const double w = plane.random().between(3, 50);
-  RegionSet r = one_contour({{0, 0}, {w, 0}, {w, w}, {0, w}});
-  append(r, {{1, 1}, {w - 1, 1}, {1, w - 1}});
-  if (plane.random().one_in(2)) r.polygon_ends = {2};
+  RegionSet r = rectangle(0, 0, w, w);
+  const std::vector<Point> hole{{1, 1}, {w - 1, 1}, {1, w - 1}};
+  plane.random().one_in(2) ? generators::add_hole(r, hole) : generators::add_polygon(r, hole);
   return r;
 }
 
 RegionSet vertex_on_own_edge(Plane& plane) {
   const double w = 2 * plane.random().between(2, 50);
-  RegionSet r = one_contour({{0, 0}, {w, 0}, {w, w}, {0, w}});
-  append(r, {{w / 2, w}, {w, 2 * w}, {0, 2 * w}});
+  RegionSet r = rectangle(0, 0, w, w);
+  generators::add_polygon(r, {{w / 2, w}, {w, 2 * w}, {0, 2 * w}});
   return r;
 }
 

@@ -9,8 +9,7 @@
 
 namespace oblast::tests {
 
-/// Adds a contour as a polygon.
-void append(RegionSet& regions, const std::vector<Point>& contour);
+RegionSet rectangle(double x0, double y0, double x1, double y1);
 
 /// Convex, counter-clockwise, three or more vertices, some of them straight.
 std::vector<Point> convex(Plane& plane);

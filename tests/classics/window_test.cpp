@@ -22,10 +22,6 @@ using namespace oblast::internal;
 using namespace oblast::tests;
 using window::fast_overlay;
 
-RegionSet rectangle(double x0, double y0, double x1, double y1) {
-  return one_contour({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
-}
-
 void expect_taken(const RegionSet& a, const RegionSet& b, Operation operation) {
   const std::optional<RegionSet> got = fast_overlay(a, b, operation, {});
   if (!got && !oblast::testing::usual_tuning) return;
@@ -69,9 +65,8 @@ TEST(WindowClip, WindowAcrossAStarOfManyVertices) {
 
 TEST(WindowClip, HolesAndSeveralPolygons) {
   RegionSet ring = rectangle(0, 0, 10, 10);
-  append(ring, {{2, 2}, {8, 2}, {8, 8}, {2, 8}});
-  ring.polygon_ends = {2};
-  append(ring, {{4, 4}, {6, 4}, {6, 6}, {4, 6}});  // an island in the hole
+  generators::add_hole(ring, generators::rectangle(2, 2, 8, 8));
+  generators::add_polygon(ring, generators::rectangle(4, 4, 6, 6));  // an island in the hole
   expect_taken(ring, rectangle(1, 1, 9, 9), Operation::intersection);
   expect_taken(ring, rectangle(1, 1, 5, 5), Operation::intersection);
   expect_taken(ring, rectangle(3, 3, 7, 7), Operation::intersection);
@@ -91,10 +86,10 @@ TEST(WindowClip, AHoleMayComeBeforeItsOuterContour) {
           if (outer_runs_back) std::reverse(outer.begin(), outer.end());
           if (hole_runs_back) std::reverse(hole.begin(), hole.end());
           RegionSet regions;
-          if (square_first) append(regions, square);
+          if (square_first) generators::add_polygon(regions, square);
           generators::add_polygon(regions, hole_first ? hole : outer);
           generators::add_hole(regions, hole_first ? outer : hole);
-          if (!square_first) append(regions, square);
+          if (!square_first) generators::add_polygon(regions, square);
           for (const RegionSet& window : windows)
             EXPECT_EQ(overlay(regions, window, Operation::intersection),
                       overlay(one_contour(square), window, Operation::intersection));
@@ -104,7 +99,7 @@ TEST(WindowClip, AHoleMayComeBeforeItsOuterContour) {
 TEST(WindowClip, FarFromTheWindowAnythingMayHappen) {
   // A bow-tie's crossing, an overlap of polygons: the parity at the window is what counts.
   RegionSet a = one_contour({{0, 0}, {20, 0}, {20, 20}, {30, 20}, {0, 1}});
-  append(a, {{18, -1}, {19, -1}, {19, 3}, {18, 3}});
+  generators::add_polygon(a, generators::rectangle(18, -1, 19, 3));
   expect_taken(a, rectangle(2, 0.2, 3, 1), Operation::intersection);
 }
 
@@ -115,7 +110,7 @@ TEST(WindowClip, Declines) {
   expect_declined(a, a, Operation::intersection);
   expect_declined(a, rectangle(1, 1, 3, 3), Operation::symmetric_difference);
   RegionSet overlapping = rectangle(0, 0, 4, 4);
-  append(overlapping, {{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+  generators::add_polygon(overlapping, generators::rectangle(1, 1, 2, 2));
   expect_declined(overlapping, rectangle(0.5, 0.5, 3, 3), Operation::intersection);    // one in the other
   expect_declined(overlapping, rectangle(0.5, 0.5, 1.5, 3), Operation::intersection);  // and both across
   const RegionSet bow_tie = one_contour({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
