@@ -92,7 +92,9 @@ using Progress = std::function<bool(Stage stage, double fraction)>;
 struct CallOptions {
   static constexpr int most_threads = 1024;
 
-  int threads = 0;    ///< 1 to most_threads; 0: all cores
+  /// 1 to most_threads; 0: all cores. More than the process has cores are used only if the caller allows oneTBB to
+  /// start them (`tbb::global_control`, max_allowed_parallelism).
+  int threads = 0;
   Progress progress;  ///< empty: no progress is reported
   /// Memory that calls keep for later calls (workspace.h). Useful for a caller who makes many calls. Null: none is
   /// kept.

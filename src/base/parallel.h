@@ -15,6 +15,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -30,10 +31,19 @@
 
 namespace oblast::internal {
 
+/// The number of threads that work for a call which asks for `threads`. oneTBB starts no more than the process has
+/// cores, unless the caller allows more (tbb::global_control), and prints a warning if it is asked for more.
+inline int allowed_threads(int threads) {
+  if (threads < 2) return threads;
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return static_cast<int>(std::min(static_cast<std::size_t>(threads), allowed));
+}
+
 /// Runs the work of a call on up to `threads` threads, including this one (0: all threads of the caller's arena), and
 /// throws what it throws. With one thread, the scheduler is not used.
 template <class Work>
 void run_call(Call& call, int threads, const Work& work) {
+  threads = allowed_threads(threads);
   const auto whole = [&] {
     if (threads != 1) call.cores = tbb::this_task_arena::max_concurrency();
     call.attempt([&] {

@@ -17,6 +17,13 @@ using Words = std::vector<std::string>;
 constexpr const char* two_squares = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((1 1, 3 1, 3 3, 1 3, 1 1)))\n";
 constexpr const char* their_union = "POLYGON ((0 0, 2 0, 2 1, 3 1, 3 3, 1 3, 1 2, 0 2, 0 0))";
 
+/// A polygon of 3,001 vertices, which is no small call.
+std::string zigzag() {
+  std::string text = "POLYGON ((0 0";
+  for (int i = 1; i < 3000; ++i) text += fmt::format(", {} {}", i, i % 2 ? 1000 : 1);
+  return text + ", 3000 0, 0 0))";
+}
+
 TEST(CommandLine, EveryCommandHasHelpWithAnExample) {
   for (const Words& command : {Words{"union"}, Words{"overlay"}, Words{"dissolve"}, Words{"depth"}, Words{"partition"},
                                Words{"buffer"}, Words{"check"}, Words{"corpus"}, Words{"generate", "fires"}}) {
@@ -68,6 +75,16 @@ TEST(CommandLine, FaultsOfTheCallAreExitCodeTwoAndNameTheHelp) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+// oneTBB prints a warning if it is asked for more threads than it may start.
+TEST(CommandLine, MoreThreadsThanCoresAreNoReasonForAWarning) {
+  const Folder folder;
+  const std::string in = folder.path("in.wkt");
+  write_file(in, zigzag());
+  const ProgramRun run = oblast_program({"union", in, "-o", folder.path("out.wkt"), "-q", "--threads", "1024"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+}
+
 TEST(CommandLine, ContradictionsAreExitCodeTwo) {
   EXPECT_EQ(oblast_program({"overlay", "union", "-", "-", "-o", "-"}, two_squares).code, 2);
   const ProgramRun format = oblast_program({"union", "-", "-o", "out.gpkg", "--format", "wkb"}, two_squares);
@@ -100,10 +117,7 @@ TEST(Memory, SizesAreReadInTheirUnits) {
 TEST(Memory, ALimitThatIsTooSmallIsAnErrorThatSaysIt) {
   const Folder folder;
   const std::string in = folder.path("in.wkt"), out = folder.path("out.wkt");
-  std::string text = "POLYGON ((0 0";
-  for (int i = 1; i < 3000; ++i) text += fmt::format(", {} {}", i, i % 2 ? 1000 : 1);
-  text += ", 3000 0, 0 0))";
-  write_file(in, text);
+  write_file(in, zigzag());
   const std::vector<Words> calls = {
       {"union", in, "-o", out},
       {"overlay", "union", in, in, "-o", out, "--merge"},

@@ -2,6 +2,7 @@
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -24,6 +25,37 @@ struct Thrown {
 };
 
 void work_a_moment() { std::this_thread::sleep_for(std::chrono::microseconds(20)); }
+
+/// How many threads work on a loop of this many ranges, in a call that asks for `threads`. Ranges take a millisecond
+/// until `expected` threads have come.
+std::size_t working_threads(int threads, std::size_t expected, std::size_t ranges = 20000) {
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  Call call;
+  run_call(call, threads, [&] {
+    for_ranges(ranges, 1, [&](std::size_t, std::size_t) {
+      {
+        const std::lock_guard lock(mutex);
+        seen.insert(std::this_thread::get_id());
+        if (seen.size() >= expected) return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+  });
+  return seen.size();
+}
+
+// Other tests ask for eight threads; without eight_threads.cpp these would be as few as the machine has cores.
+TEST(Parallel, asManyThreadsWorkAsAreAskedFor) {
+  for (const std::size_t threads : {1, 2, 8}) EXPECT_EQ(working_threads(static_cast<int>(threads), threads), threads);
+}
+
+TEST(Parallel, noMoreThreadsWorkThanTheProcessAllows) {
+  const tbb::global_control three(tbb::global_control::max_allowed_parallelism, 3);
+  Call call;
+  run_call(call, 8, [] { EXPECT_EQ(core_count(), 3u); });
+  EXPECT_LE(working_threads(8, 4, 300), 3u);
+}
 
 TEST(Parallel, loopsRunEachIndexOnce) {
   for (const int threads : {1, 2, 8}) {
