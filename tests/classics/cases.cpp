@@ -110,11 +110,8 @@ ClassicCase draw(ClassicMethod method, Plane& plane) {
         case 1:
           c.a = regular(plane);
           break;
-        default: {
-          for (int i = random.between(1, 3); i > 0; --i)
-            generators::add_polygon(c.a, tangle(plane, random.between(3, 9)));
-          c.a.polygon_ends = {static_cast<std::uint32_t>(c.a.contour_ends.size())};
-        }
+        default:
+          for (int i = random.between(1, 3); i > 0; --i) generators::add_hole(c.a, tangle(plane, random.between(3, 9)));
       }
       if (random.one_in(2)) c.a = reversed(c.a);
       if (random.one_in(2)) c.b = reversed(c.b);
@@ -183,14 +180,19 @@ std::vector<Point> small_window(Plane& plane) {
   }
 }
 
+/// The same contours, all of one polygon.
+RegionSet one_polygon(RegionSet r) {
+  r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
+  return r;
+}
+
 RegionSet any_polygons(Plane& plane) {
   Random& random = plane.random();
   RegionSet r;
   for (int i = random.between(1, 4); i > 0; --i)
     generators::add_polygon(
         r, random.one_in(2) ? simple(plane, random.between(3, 80)) : tangle(plane, random.between(3, 6)));
-  if (random.one_in(2)) r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
-  return r;
+  return random.one_in(2) ? one_polygon(std::move(r)) : r;
 }
 
 /// Some vertices are given twice, one after the other.
@@ -256,10 +258,6 @@ OutsideCase outside(ClassicMethod method, Random& random) {
   };
   RegionSet two = one_contour(convex(plane));
   generators::add_polygon(two, convex(plane));
-  const auto one_polygon = [](RegionSet r) {
-    r.polygon_ends = {static_cast<std::uint32_t>(r.contour_ends.size())};
-    return r;
-  };
   switch (method) {
     case ClassicMethod::orourke:
     case ClassicMethod::sutherland_hodgman:

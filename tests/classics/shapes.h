@@ -9,6 +9,7 @@
 
 namespace oblast::tests {
 
+/// A rectangle as a region, counter-clockwise.
 RegionSet rectangle(double x0, double y0, double x1, double y1);
 
 /// Convex, counter-clockwise, three or more vertices, some of them straight.
