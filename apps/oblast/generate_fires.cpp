@@ -1,6 +1,5 @@
 // `oblast generate fires`: writes the passes of fires.h as shapefiles.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
